@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "candela/scene/diagnostics.hpp"
+#include "candela/scene/scene.hpp"
+
+namespace candela::io {
+
+/// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the stage's
+/// folder and must stay inside it.
+struct StageEnvironment {
+    std::filesystem::path file;  ///< .hdr or .exr; empty: the built-in studio
+    float scale = 1.0f;
+    float rotation_rad = 0.0f;
+    std::optional<float> illuminance_lx;  ///< scale so that the up-facing illuminance is this
+    bool visible = true;
+};
+
+struct StageCamera {
+    std::optional<std::string> name;  ///< one of the scene's cameras
+    std::optional<glm::vec3> look_from;
+    std::optional<glm::vec3> look_at;
+    std::optional<float> focal_mm;
+};
+
+struct Stage {
+    std::optional<StageEnvironment> environment;
+    StageCamera camera;
+    scene::Exposure exposure;
+};
+
+/// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file and JSON pointer;
+/// unknown keys are errors with the nearest known key as hint.
+[[nodiscard]] Stage load_stage(const std::filesystem::path& file);
+
+}  // namespace candela::io

@@ -1,0 +1,99 @@
+#include "candela/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace candela::scene {
+
+void Aabb::extend(const glm::vec3& p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+}
+
+void Aabb::extend(const Aabb& other) {
+    if (other.empty()) return;
+    extend(other.min);
+    extend(other.max);
+}
+
+Aabb world_bounds(const Scene& scene) {
+    Aabb bounds;
+    for (const Instance& instance : scene.instances) {
+        for (const Primitive& primitive : scene.meshes[instance.mesh].primitives) {
+            const Aabb& b = primitive.bounds;
+            if (b.empty()) continue;
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::vec3 p{(corner & 1) ? b.max.x : b.min.x, (corner & 2) ? b.max.y : b.min.y,
+                                  (corner & 4) ? b.max.z : b.min.z};
+                bounds.extend(glm::vec3(instance.world * glm::vec4(p, 1.0f)));
+            }
+        }
+    }
+    return bounds;
+}
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Instance& instance : scene.instances) {
+        for (const Primitive& primitive : scene.meshes[instance.mesh].primitives) {
+            count += primitive.indices.size() / 3;
+        }
+    }
+    return count;
+}
+
+float yfov_from_focal_mm(float focal_mm) {
+    constexpr float sensor_height_mm = 24.0f;
+    return 2.0f * std::atan(0.5f * sensor_height_mm / focal_mm);
+}
+
+Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad) {
+    const glm::vec3 back = glm::normalize(from - at);
+    const glm::vec3 up = std::abs(back.y) > 0.9999f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    const glm::vec3 right = glm::normalize(glm::cross(up, back));
+    Camera camera;
+    camera.name = "look-at";
+    camera.yfov_rad = yfov_rad;
+    camera.world = glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f), glm::vec4(back, 0.0f),
+                             glm::vec4(from, 1.0f));
+    return camera;
+}
+
+Camera frame_bounds(const Aabb& bounds, float aspect) {
+    const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
+    const float radius = bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.max - bounds.min), 1e-4f);
+    const float yfov = yfov_from_focal_mm(50.0f);
+    const float half = 0.5f * std::min(yfov, 2.0f * std::atan(std::tan(0.5f * yfov) * aspect));
+    const float distance = 1.05f * radius / std::sin(half);
+    Camera camera = look_at(center + distance * glm::normalize(glm::vec3(0.45f, 0.3f, 1.0f)), center, yfov);
+    camera.name = "framed";
+    camera.znear_m = std::max(distance - 2.0f * radius, 1e-3f * radius);
+    return camera;
+}
+
+glm::mat4 view_projection(const Camera& camera, float aspect) {
+    glm::mat4 clip(0.0f);
+    const float near = camera.znear_m;
+    if (camera.projection == Projection::perspective) {
+        const float f = 1.0f / std::tan(0.5f * camera.yfov_rad);
+        clip[0][0] = f / aspect;
+        clip[1][1] = -f;
+        clip[2][3] = -1.0f;
+        const float far = camera.zfar_m;
+        clip[2][2] = std::isinf(far) ? 0.0f : near / (far - near);
+        clip[3][2] = std::isinf(far) ? near : near * far / (far - near);
+    } else {
+        const float far = std::isinf(camera.zfar_m) ? near + 1e5f : camera.zfar_m;
+        clip[0][0] = 1.0f / (camera.ymag_m * aspect);
+        clip[1][1] = -1.0f / camera.ymag_m;
+        clip[2][2] = 1.0f / (far - near);
+        clip[3][2] = far / (far - near);
+        clip[3][3] = 1.0f;
+    }
+    return clip * glm::inverse(camera.world);
+}
+
+}  // namespace candela::scene

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "candela/scene/material.hpp"
+
+/// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as glTF).
+namespace candela::scene {
+
+struct Aabb {
+    glm::vec3 min{std::numeric_limits<float>::infinity()};
+    glm::vec3 max{-std::numeric_limits<float>::infinity()};
+    [[nodiscard]] bool empty() const noexcept { return !(min.x <= max.x); }
+    void extend(const glm::vec3& p);
+    void extend(const Aabb& other);
+};
+
+/// Triangles. Every attribute is either empty or has one entry per position; normals are always there after loading.
+struct Primitive {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;   ///< unit length
+    std::vector<glm::vec4> tangents;  ///< xyz unit length, w = +-1 handedness (bitangent = w * cross(n, t))
+    std::array<std::vector<glm::vec2>, 2> uv;
+    std::vector<glm::vec4> colors;       ///< linear RGBA
+    std::vector<std::uint32_t> indices;  ///< triangle list, each < positions.size()
+    std::uint32_t material = none;       ///< index into Scene::materials, always valid after loading
+    Aabb bounds;
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+};
+
+struct Instance {
+    std::string name;         ///< of the node
+    std::uint32_t mesh = none;  ///< index into Scene::meshes
+    glm::mat4 world{1.0f};    ///< may mirror (negative determinant): winding then flips
+};
+
+enum class LightType : std::uint8_t { point, spot, directional };
+
+/// Punctual lights. `color * intensity` is what shines, per Rec.709 channel.
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    glm::vec3 position{0.0f};            ///< m; point and spot
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit, the way the light travels; spot and directional
+    glm::vec3 color{1.0f};               ///< linear Rec.709
+    float intensity = 1.0f;              ///< point, spot: luminous intensity in cd; directional: illuminance in lx at normal incidence
+    float range_m = std::numeric_limits<float>::infinity();  ///< window attenuation radius
+    float inner_cone_rad = 0.0f;                             ///< half angle
+    float outer_cone_rad = 0.785398163f;                     ///< half angle
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+struct Camera {
+    std::string name;
+    glm::mat4 world{1.0f};  ///< camera to world, no scale
+    Projection projection = Projection::perspective;
+    float yfov_rad = 0.6911f;  ///< vertical; 35 mm lens on a 24 mm high sensor is 0.6503, glTF viewers use about 0.7
+    float aspect = 0.0f;       ///< width / height of the author's viewport; 0 = whatever the picture has
+    float ymag_m = 1.0f;       ///< orthographic half height
+    float xmag_m = 1.0f;
+    float znear_m = 0.01f;
+    float zfar_m = std::numeric_limits<float>::infinity();
+};
+
+/// Distant light as luminance: equirectangular, linear Rec.709, cd/m^2 per channel, row 0 at the zenith (+Y). The
+/// image centre looks down -Z, the left quarter down -X (shading/environment.glsl: equirect_uv).
+struct Environment {
+    std::string name;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<glm::vec3> luminance_nit;  ///< width * height
+    float scale = 1.0f;                    ///< multiplies luminance_nit
+    float rotation_rad = 0.0f;             ///< about +Y, counter-clockwise seen from above
+    bool visible = true;                   ///< drawn as background
+};
+
+/// How the picture is exposed; exactly one way applies, in this order: ev100, the three of the camera, automatic.
+struct Exposure {
+    std::optional<float> ev100;
+    std::optional<float> aperture_f;  ///< N of f/N
+    std::optional<float> shutter_s;
+    std::optional<float> iso;
+    float compensation_ev = 0.0f;  ///< Frostbite equation 68: positive brightens
+    [[nodiscard]] bool automatic() const noexcept { return !ev100 && !(aperture_f && shutter_s && iso); }
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Image> images;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::optional<Environment> environment;
+    Exposure exposure;
+};
+
+/// World-space bounds of every instance; empty() when nothing is drawn.
+[[nodiscard]] Aabb world_bounds(const Scene& scene);
+
+[[nodiscard]] std::size_t triangle_count(const Scene& scene);
+
+/// A camera that sees all of `bounds` from the front right, a little from above; 50 mm lens on 36x24 mm.
+[[nodiscard]] Camera frame_bounds(const Aabb& bounds, float aspect);
+
+/// Camera at `from`, looking at `at`, +Y up (+Z where the view is along Y). yfov_rad in (0, pi).
+[[nodiscard]] Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad);
+
+/// Vertical field of view in rad of a lens of focal_mm on a sensor 24 mm high.
+[[nodiscard]] float yfov_from_focal_mm(float focal_mm);
+
+/// World to clip: Vulkan clip space, reversed depth (near 1, far 0), y down. `aspect` = width / height of the picture.
+[[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect);
+
+}  // namespace candela::scene
