@@ -2,6 +2,8 @@
 
 namespace candela {
 
-const char* version() noexcept { return CANDELA_VERSION; }
+const char* version() noexcept {
+    return CANDELA_VERSION;
+}
 
 }  // namespace candela

@@ -34,7 +34,8 @@ TEST(Camera, TheFramedCameraSeesEveryCornerOfTheBounds) {
     for (const float aspect : {0.5f, 1.0f, 2.4f}) {
         const glm::mat4 vp = view_projection(frame_bounds(bounds, aspect), aspect);
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec4 p = vp * glm::vec4(corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,
+            const glm::vec4 p = vp * glm::vec4(corner & 1 ? bounds.max.x : bounds.min.x,
+                                               corner & 2 ? bounds.max.y : bounds.min.y,
                                                corner & 4 ? bounds.max.z : bounds.min.z, 1.0f);
             EXPECT_LT(std::abs(p.x / p.w), 1.0f);
             EXPECT_LT(std::abs(p.y / p.w), 1.0f);

@@ -13,13 +13,15 @@ namespace candela::io {
 /// The whole file. Throws Error (Fault::input) when missing, a folder, unreadable or larger than max_bytes.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t max_bytes);
 
-/// Decodes PNG, JPEG or WebP (by content) to RGBA8. The header is checked before memory is taken: more than 16384 on
-/// a side or more than 2^28 texels is an Error, as is truncated data. `where` names the source in messages.
+/// Decodes PNG, JPEG or WebP (by content) to RGBA8. The header is checked before memory is taken: more than
+/// 16384 on a side or more than 2^28 texels is an Error, as is truncated data. `where` names the source in
+/// messages.
 [[nodiscard]] scene::Image decode_image(std::span<const std::byte> bytes, const std::string& where);
 
-/// Reads an equirectangular .hdr or .exr (by content) as luminance in cd/m^2. NaN and negative texels become 0 with
-/// a warning, infinite ones are the largest finite value of the map; nothing else is clamped.
-[[nodiscard]] scene::Environment read_environment(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// Reads an equirectangular .hdr or .exr (by content) as luminance in cd/m^2. NaN and negative texels become
+/// 0 with a warning, infinite ones are the largest finite value of the map; nothing else is clamped.
+[[nodiscard]] scene::Environment read_environment(const std::filesystem::path& file,
+                                                  Diagnostics& diagnostics);
 
 /// A layer picture as written by write_exr, or any EXR: 32 bit float channels by full name ("R", "albedo.R").
 struct FloatImage {

@@ -20,14 +20,15 @@ struct ExrChannel {
     std::variant<std::span<const float>, std::span<const std::uint32_t>> pixels;
 };
 
-/// Header attributes: standard ones (whiteLuminance, aperture, expTime, isoSpeed as float; chromaticities Rec.709 are
-/// always written) and candela/* strings.
+/// Header attributes: standard ones (whiteLuminance, aperture, expTime, isoSpeed as float; chromaticities
+/// Rec.709 are always written) and candela/* strings.
 using ExrAttribute = std::variant<float, std::string>;
 
 /// ZIP compressed scan-line EXR. Values beyond half range in a half channel make that channel float32.
 /// Throws Error (Fault::machine when the disk fails, Fault::input when the folder is missing).
 void write_exr(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,
-               const std::vector<ExrChannel>& channels, const std::map<std::string, ExrAttribute>& attributes);
+               const std::vector<ExrChannel>& channels,
+               const std::map<std::string, ExrAttribute>& attributes);
 
 /// sRGB-encoded RGB, 8 or 16 bit per channel (16: native endian values). `text` becomes tEXt chunks.
 void write_png(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,

@@ -9,8 +9,8 @@
 
 namespace candela::io {
 
-/// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the stage's
-/// folder and must stay inside it.
+/// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the
+/// stage's folder and must stay inside it.
 struct StageEnvironment {
     std::filesystem::path file;  ///< .hdr or .exr; empty: the built-in studio
     float scale = 1.0f;
@@ -32,8 +32,8 @@ struct Stage {
     scene::Exposure exposure;
 };
 
-/// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file and JSON pointer;
-/// unknown keys are errors with the nearest known key as hint.
+/// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file and JSON
+/// pointer; unknown keys are errors with the nearest known key as hint.
 [[nodiscard]] Stage load_stage(const std::filesystem::path& file);
 
 }  // namespace candela::io

@@ -14,7 +14,8 @@ class Diagnostics {
         std::size_t count = 0;
     };
 
-    /// Raises a warning; `text` is its identity, so keep indices out of it where a file may raise it a thousand times.
+    /// Raises a warning; `text` is its identity, so keep indices out of it where a file may raise it a
+    /// thousand times.
     void warn(const std::string& text);
 
     [[nodiscard]] const std::vector<Warning>& warnings() const noexcept { return warnings_; }

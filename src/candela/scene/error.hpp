@@ -8,8 +8,8 @@ namespace candela {
 /// Whose fault an error is; the values are the process exit codes of the command line.
 enum class Fault { input = 1, usage = 2, machine = 3 };
 
-/// The one exception type of Candela: what went wrong, where (file, file plus JSON pointer, or file:line), and what
-/// to do about it. Caught once, in main.
+/// The one exception type of Candela: what went wrong, where (file, file plus JSON pointer, or file:line),
+/// and what to do about it. Caught once, in main.
 class Error : public std::runtime_error {
   public:
     Error(Fault fault, std::string what, std::string where = {}, std::string hint = {});

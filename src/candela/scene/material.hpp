@@ -37,7 +37,8 @@ struct Texture {
     Sampler sampler;
 };
 
-/// A use of a texture by a material. uv' = offset + rotate(rotation_rad) * (scale * uv), as KHR_texture_transform.
+/// A use of a texture by a material. uv' = offset + rotate(rotation_rad) * (scale * uv), as
+/// KHR_texture_transform.
 struct TextureRef {
     std::uint32_t texture = none;  ///< index into Scene::textures
     std::uint32_t uv_set = 0;
@@ -52,9 +53,9 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 /// How base_color and the metallic-roughness slots are to be read.
 enum class Workflow : std::uint8_t {
     metallic_roughness,   ///< glTF core
-    specular_glossiness,  ///< KHR_materials_pbrSpecularGlossiness: base_color is the diffuse colour, specular_color the
-                          ///< coloured f0, perceptual_roughness is 1 - glossiness; metallic_roughness_texture holds
-                          ///< specular (sRGB) in RGB and glossiness in A
+    specular_glossiness,  ///< KHR_materials_pbrSpecularGlossiness: base_color is the diffuse colour,
+                          ///< specular_color the coloured f0, perceptual_roughness is 1 - glossiness;
+                          ///< metallic_roughness_texture holds specular (sRGB) in RGB and glossiness in A
 };
 
 struct Clearcoat {
@@ -79,7 +80,8 @@ struct Anisotropy {
     TextureRef texture;         ///< RG direction in [-1,1], B strength
 };
 
-/// Colours are linear Rec.709. Factors multiply their textures, as glTF 2.0 and the KHR_materials_* extensions say.
+/// Colours are linear Rec.709. Factors multiply their textures, as glTF 2.0 and the KHR_materials_*
+/// extensions say.
 struct Material {
     std::string name;
     Workflow workflow = Workflow::metallic_roughness;
@@ -98,8 +100,8 @@ struct Material {
     glm::vec3 emissive_nit{0.0f};  ///< emissiveFactor * emissiveStrength, luminance in cd/m^2 for RGB 1
     TextureRef emissive_texture;   ///< sRGB RGB
 
-    float ior = 1.5f;      ///< KHR_materials_ior; 0 means infinite (f0 = 1)
-    float specular = 1.0f;  ///< KHR_materials_specular
+    float ior = 1.5f;             ///< KHR_materials_ior; 0 means infinite (f0 = 1)
+    float specular = 1.0f;        ///< KHR_materials_specular
     TextureRef specular_texture;  ///< A
     glm::vec3 specular_color{1.0f};
     TextureRef specular_color_texture;  ///< sRGB RGB

@@ -57,8 +57,8 @@ Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad) {
     Camera camera;
     camera.name = "look-at";
     camera.yfov_rad = yfov_rad;
-    camera.world = glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f), glm::vec4(back, 0.0f),
-                             glm::vec4(from, 1.0f));
+    camera.world = glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f),
+                             glm::vec4(back, 0.0f), glm::vec4(from, 1.0f));
     return camera;
 }
 

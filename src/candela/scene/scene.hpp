@@ -13,7 +13,8 @@
 
 #include "candela/scene/material.hpp"
 
-/// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as glTF).
+/// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as
+/// glTF).
 namespace candela::scene {
 
 struct Aabb {
@@ -24,7 +25,8 @@ struct Aabb {
     void extend(const Aabb& other);
 };
 
-/// Triangles. Every attribute is either empty or has one entry per position; normals are always there after loading.
+/// Triangles. Every attribute is either empty or has one entry per position; normals are always there after
+/// loading.
 struct Primitive {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;   ///< unit length
@@ -42,9 +44,9 @@ struct Mesh {
 };
 
 struct Instance {
-    std::string name;         ///< of the node
+    std::string name;           ///< of the node
     std::uint32_t mesh = none;  ///< index into Scene::meshes
-    glm::mat4 world{1.0f};    ///< may mirror (negative determinant): winding then flips
+    glm::mat4 world{1.0f};      ///< may mirror (negative determinant): winding then flips
 };
 
 enum class LightType : std::uint8_t { point, spot, directional };
@@ -53,10 +55,11 @@ enum class LightType : std::uint8_t { point, spot, directional };
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::vec3 position{0.0f};            ///< m; point and spot
+    glm::vec3 position{0.0f};                ///< m; point and spot
     glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit, the way the light travels; spot and directional
-    glm::vec3 color{1.0f};               ///< linear Rec.709
-    float intensity = 1.0f;              ///< point, spot: luminous intensity in cd; directional: illuminance in lx at normal incidence
+    glm::vec3 color{1.0f};                   ///< linear Rec.709
+    float intensity =
+        1.0f;  ///< point, spot: luminous intensity in cd; directional: illuminance in lx at normal incidence
     float range_m = std::numeric_limits<float>::infinity();  ///< window attenuation radius
     float inner_cone_rad = 0.0f;                             ///< half angle
     float outer_cone_rad = 0.785398163f;                     ///< half angle
@@ -68,16 +71,17 @@ struct Camera {
     std::string name;
     glm::mat4 world{1.0f};  ///< camera to world, no scale
     Projection projection = Projection::perspective;
-    float yfov_rad = 0.6911f;  ///< vertical; 35 mm lens on a 24 mm high sensor is 0.6503, glTF viewers use about 0.7
-    float aspect = 0.0f;       ///< width / height of the author's viewport; 0 = whatever the picture has
-    float ymag_m = 1.0f;       ///< orthographic half height
+    float yfov_rad =
+        0.6911f;  ///< vertical; 35 mm lens on a 24 mm high sensor is 0.6503, glTF viewers use about 0.7
+    float aspect = 0.0f;  ///< width / height of the author's viewport; 0 = whatever the picture has
+    float ymag_m = 1.0f;  ///< orthographic half height
     float xmag_m = 1.0f;
     float znear_m = 0.01f;
     float zfar_m = std::numeric_limits<float>::infinity();
 };
 
-/// Distant light as luminance: equirectangular, linear Rec.709, cd/m^2 per channel, row 0 at the zenith (+Y). The
-/// image centre looks down -Z, the left quarter down -X (shading/environment.glsl: equirect_uv).
+/// Distant light as luminance: equirectangular, linear Rec.709, cd/m^2 per channel, row 0 at the zenith (+Y).
+/// The image centre looks down -Z, the left quarter down -X (shading/environment.glsl: equirect_uv).
 struct Environment {
     std::string name;
     std::uint32_t width = 0;
@@ -88,7 +92,8 @@ struct Environment {
     bool visible = true;                   ///< drawn as background
 };
 
-/// How the picture is exposed; exactly one way applies, in this order: ev100, the three of the camera, automatic.
+/// How the picture is exposed; exactly one way applies, in this order: ev100, the three of the camera,
+/// automatic.
 struct Exposure {
     std::optional<float> ev100;
     std::optional<float> aperture_f;  ///< N of f/N
@@ -125,7 +130,8 @@ struct Scene {
 /// Vertical field of view in rad of a lens of focal_mm on a sensor 24 mm high.
 [[nodiscard]] float yfov_from_focal_mm(float focal_mm);
 
-/// World to clip: Vulkan clip space, reversed depth (near 1, far 0), y down. `aspect` = width / height of the picture.
+/// World to clip: Vulkan clip space, reversed depth (near 1, far 0), y down. `aspect` = width / height of the
+/// picture.
 [[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect);
 
 }  // namespace candela::scene
