@@ -1,5 +1,5 @@
-# candela_add_module(NAME [DEPENDS lib...]): the static library candela_NAME of every .cpp in the current folder.
-# Modules are linked whole into the shared library `candela`; tests link the modules they need directly.
+# candela_add_module(NAME [DEPENDS module...] [PRIVATE lib...]): the static library candela_NAME of every .cpp in the
+# current folder, for tests that need just this module. The shared library `candela` is made of the same objects.
 function(candela_add_module name)
     cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -11,9 +11,12 @@ function(candela_add_module name)
     target_include_directories(candela_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
     target_link_libraries(candela_${name} PUBLIC ${arg_DEPENDS} PRIVATE candela_options ${arg_PRIVATE})
     target_compile_definitions(candela_${name} PUBLIC GLM_ENABLE_EXPERIMENTAL GLM_FORCE_DEPTH_ZERO_TO_ONE)
+    set_property(GLOBAL APPEND PROPERTY CANDELA_MODULES candela_${name})
+    set_property(GLOBAL APPEND PROPERTY CANDELA_MODULE_LIBRARIES ${arg_PRIVATE})
 endfunction()
 
-# candela_add_test(NAME LIBS...): the GoogleTest program test_NAME of every .cpp in the current folder, one CTest entry a case.
+# candela_add_test(NAME LIBS...): the GoogleTest program test_NAME of every .cpp in the current folder, one CTest entry
+# a case.
 function(candela_add_test name)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(test_${name} ${sources})
