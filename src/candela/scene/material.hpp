@@ -9,7 +9,7 @@
 
 namespace candela::scene {
 
-inline constexpr std::uint32_t none = 0xffffffffu;
+inline constexpr std::uint32_t no_index = 0xffffffffu;
 
 /// Decoded picture, 4 x 8 bit RGBA, row 0 on top, as stored in the file (no transfer function applied).
 struct Image {
@@ -33,19 +33,19 @@ struct Sampler {
 };
 
 struct Texture {
-    std::uint32_t image = none;  ///< index into Scene::images
+    std::uint32_t image = no_index;  ///< index into Scene::images
     Sampler sampler;
 };
 
 /// A use of a texture by a material. uv' = offset + rotate(rotation_rad) * (scale * uv), as
 /// KHR_texture_transform.
 struct TextureRef {
-    std::uint32_t texture = none;  ///< index into Scene::textures
+    std::uint32_t texture = no_index;  ///< index into Scene::textures
     std::uint32_t uv_set = 0;
     glm::vec2 offset{0.0f};
     glm::vec2 scale{1.0f};
     float rotation_rad = 0.0f;  ///< counter-clockwise, as KHR_texture_transform defines it
-    [[nodiscard]] explicit operator bool() const noexcept { return texture != none; }
+    [[nodiscard]] explicit operator bool() const noexcept { return texture != no_index; }
 };
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };

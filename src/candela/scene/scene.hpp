@@ -34,7 +34,7 @@ struct Primitive {
     std::array<std::vector<glm::vec2>, 2> uv;
     std::vector<glm::vec4> colors;       ///< linear RGBA
     std::vector<std::uint32_t> indices;  ///< triangle list, each < positions.size()
-    std::uint32_t material = none;       ///< index into Scene::materials, always valid after loading
+    std::uint32_t material = no_index;   ///< index into Scene::materials, always valid after loading
     Aabb bounds;
 };
 
@@ -44,9 +44,9 @@ struct Mesh {
 };
 
 struct Instance {
-    std::string name;           ///< of the node
-    std::uint32_t mesh = none;  ///< index into Scene::meshes
-    glm::mat4 world{1.0f};      ///< may mirror (negative determinant): winding then flips
+    std::string name;               ///< of the node
+    std::uint32_t mesh = no_index;  ///< index into Scene::meshes
+    glm::mat4 world{1.0f};          ///< may mirror (negative determinant): winding then flips
 };
 
 enum class LightType : std::uint8_t { point, spot, directional };
