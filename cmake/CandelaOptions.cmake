@@ -13,7 +13,8 @@ option(CANDELA_WARNINGS_AS_ERRORS "Treat warnings as errors" ON)
 option(CANDELA_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 add_library(candela_options INTERFACE)
-target_compile_options(candela_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+target_compile_options(candela_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                       -Wno-missing-field-initializers) # Vulkan structures are filled by name after sType
 if(CANDELA_WARNINGS_AS_ERRORS)
     target_compile_options(candela_options INTERFACE -Werror)
 endif()
