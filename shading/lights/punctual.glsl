@@ -1,0 +1,37 @@
+// How punctual lights fade with distance and angle.
+// Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4 and listing 4; KHR_lights_punctual asks for
+// the same.
+#ifndef CANDELA_LIGHTS_PUNCTUAL_GLSL
+#define CANDELA_LIGHTS_PUNCTUAL_GLSL
+
+#include "../language.glsl"
+#include "../photometry.glsl"
+
+CANDELA_SHADING_BEGIN
+
+// Frostbite equation 26 with n = 4: 1 near the light, 0 with zero slope from range_m on. range_m > 0;
+// infinity: 1 everywhere.
+FN float window_attenuation(float distance_m, float range_m) {
+    float x2 = square(distance_m / range_m);
+    return square(saturate(1.0f - x2 * x2));
+}
+
+// 1/m^2, from cd to lx at normal incidence: the inverse square with the light's size of 1 cm (Frostbite
+// equation 14) times the window. to_light: from the surface to the light, m, any length.
+FN float distance_attenuation(vec3 to_light, float range_m) {
+    float distance2 = dot(to_light, to_light);
+    float x2 = distance2 / square(range_m);
+    return square(saturate(1.0f - x2 * x2)) / max(distance2, square(kPunctualMinDistance_m));
+}
+
+// Frostbite listing 4, getAngleAtt: 0 outside the outer cone, 1 inside the inner one, the square of a ramp in
+// the cosine between. cos_inner >= cos_outer. The guard is 1e-5 in place of Frostbite's 1e-3, which would dim
+// the centre of every beam with a half angle under 2.6 degrees; at cos_inner == cos_outer it makes a sharp
+// edge.
+FN float angle_attenuation(float cos_angle, float cos_inner, float cos_outer) {
+    return square(saturate((cos_angle - cos_outer) / max(cos_inner - cos_outer, 1.0e-5f)));
+}
+
+CANDELA_SHADING_END
+
+#endif
