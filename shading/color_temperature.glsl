@@ -7,8 +7,8 @@
 CANDELA_SHADING_BEGIN
 
 // CIE 1931 2 degree colour-matching functions at 380, 390 ... 780 nm (CIE 15, Table T.4; ISO/CIE 11664-1).
-// The multi-lobe fit of Wyman, Sloan & Shirley 2013 was tried: it is off by 0.003 in x and y at 2000 K, ten
-// times as far as the coarse sum over this table.
+// The multi-lobe fit of Wyman, Sloan & Shirley 2013 was tried: it is off by 0.003 in x and y at 2000 K, more
+// than ten times as far as the sum over this table.
 CONSTANT int kObserverCount = 41;
 CONSTANT float kObserverFirst_nm = 380.0f;
 CONSTANT float kObserverStep_nm = 10.0f;
