@@ -57,6 +57,9 @@ TEST(ToneCurves, NeutralKeepsHueAndIsSmoothWhereCompressionStarts) {
     const float below = tone_curve(kToneNeutral, vec3(0.8f)).x - tone_curve(kToneNeutral, vec3(0.799f)).x;
     const float above = tone_curve(kToneNeutral, vec3(0.801f)).x - tone_curve(kToneNeutral, vec3(0.8f)).x;
     EXPECT_NEAR(below, above, 1e-5f);
+    // p = 2, p_n = 1 - 0.24^2 / 1.48, g = 1 / (0.15 (p - p_n) + 1) by hand.
+    expect_near(tone_curve(kToneNeutral, vec3(2.0f, 0.5f, 0.0f)), vec3(0.961081f, 0.337455f, 0.129579f),
+                1e-5f);
     // p = 1 - 0.04, p_n = 1 - 0.24^2 / (0.96 + 0.24 - 0.76) by hand.
     EXPECT_NEAR(tone_curve(kToneNeutral, vec3(1.0f)).x, 0.8690909f, 1e-6f);
 }
