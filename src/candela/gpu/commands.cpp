@@ -50,8 +50,9 @@ Scope scope_of(Use use) {
             return {VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT,
                     VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT,
                     VK_IMAGE_LAYOUT_UNDEFINED, false};
-        case Use::indirect:
-            return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
+        case Use::indirect_and_storage_read:
+            return {kShaders | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+                    VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
                     VK_IMAGE_LAYOUT_UNDEFINED, false};
         default:
             return {VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED, false};
@@ -225,6 +226,10 @@ void Commands::begin_rendering(std::span<const ColorTarget> colors, const std::o
     VkExtent2D extent{};
     for (const ColorTarget& target : colors) {
         VkRenderingAttachmentInfo a{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+        if (!target.image) {
+            attachments.push_back(a);
+            continue;
+        }
         use(*target.image, Use::color_target);
         extent = target.image->extent();
         a.imageView = target.image->view();

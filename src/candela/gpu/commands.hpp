@@ -19,14 +19,13 @@ struct PassTime {
 };
 
 struct ColorTarget {
-    Image* image = nullptr;
+    Image* image = nullptr;  ///< nullptr: the shader's output at this location goes nowhere
     bool clear = false;
     std::array<std::uint32_t, 4> clear_bits{};  ///< raw bits of the four channels (integer or float targets)
 };
 struct DepthTarget {
     Image* image = nullptr;
     bool clear = false;
-    bool read_only = false;
 };
 
 /// Records one command buffer, puts the barriers between passes by itself, and times them: the one-frame

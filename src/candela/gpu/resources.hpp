@@ -19,8 +19,8 @@ enum class Use : std::uint8_t {
     depth_target,
     transfer_source,
     transfer_destination,
-    vertex_input,  ///< vertex and index buffers
-    indirect,
+    vertex_input,               ///< vertex and index buffers
+    indirect_and_storage_read,  ///< dispatch arguments in a buffer that the shader reads too
 };
 
 /// Last use, so that the next one knows what to wait for.

@@ -1,0 +1,122 @@
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "candela/version.hpp"
+#include "command.hpp"
+#include "job.hpp"
+
+namespace candela::app {
+namespace {
+
+struct BenchOptions {
+    JobOptions job;
+    int frames = 60;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double peak_host_mib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Median time of each pass over the frames, in the order of the frame.
+std::vector<gpu::PassTime> median_passes(const std::vector<std::vector<gpu::PassTime>>& frames) {
+    std::vector<gpu::PassTime> out = frames.back();
+    for (std::size_t pass = 0; pass < out.size(); ++pass) {
+        std::vector<double> times;
+        for (const auto& frame : frames) {
+            if (pass < frame.size()) times.push_back(frame[pass].milliseconds);
+        }
+        out[pass].milliseconds = median(times);
+    }
+    return out;
+}
+
+int bench(const BenchOptions& options) {
+    const auto start = Clock::now();
+    Job job = prepare(options.job);
+    const double load_ms = milliseconds_since(start);
+    const gpu::Device device(device_options(options.job));
+    realtime::RendererOptions renderer_options;
+    renderer_options.width = job.width;
+    renderer_options.height = job.height;
+    renderer_options.profile = job.profile;
+    renderer_options.tone_curve = job.tone_curve;
+    double first_frame_ms = 0.0;
+    std::vector<double> frame_ms;
+    std::vector<std::vector<gpu::PassTime>> passes;
+    {
+        realtime::Renderer renderer(device, job.scene, renderer_options);
+        (void)renderer.render_frame(job.camera, job.exposure);
+        first_frame_ms = milliseconds_since(start);
+        for (int i = 0; i < options.frames; ++i) {
+            const auto frame = Clock::now();
+            passes.push_back(renderer.render_frame(job.camera, job.exposure));
+            frame_ms.push_back(milliseconds_since(frame));
+        }
+    }
+    const std::vector<gpu::PassTime> pass_ms = median_passes(passes);
+    const double device_mib = static_cast<double>(device.peak_memory_bytes()) / (1024.0 * 1024.0);
+    if (options.job.json) {
+        const nlohmann::json out{{"version", version()},
+                                 {"device", device_line(device.info())},
+                                 {"width", job.width},
+                                 {"height", job.height},
+                                 {"triangles", scene::triangle_count(job.scene)},
+                                 {"lights", job.scene.lights.size()},
+                                 {"load_ms", load_ms},
+                                 {"start_to_first_frame_ms", first_frame_ms},
+                                 {"frames", options.frames},
+                                 {"frame_ms_median", median(frame_ms)},
+                                 {"frame_ms_min", *std::min_element(frame_ms.begin(), frame_ms.end())},
+                                 {"frame_ms_max", *std::max_element(frame_ms.begin(), frame_ms.end())},
+                                 {"passes", pass_times_json(pass_ms)},
+                                 {"peak_host_mib", peak_host_mib()},
+                                 {"peak_device_mib", device_mib},
+                                 {"warnings", warnings_json(job.diagnostics)}};
+        std::printf("%s\n", out.dump(2).c_str());
+        return 0;
+    }
+    std::printf("%s, %ux%u, %zu triangles, %zu lights\n", device_line(device.info()).c_str(), job.width,
+                job.height, scene::triangle_count(job.scene), job.scene.lights.size());
+    std::printf("start to first frame  %8.1f ms (loading %.1f)\n", first_frame_ms, load_ms);
+    std::printf("frame, median of %-4d %8.2f ms\n", options.frames, median(frame_ms));
+    for (const gpu::PassTime& pass : pass_ms)
+        std::printf("  %-18s  %8.2f ms\n", pass.name.c_str(), pass.milliseconds);
+    std::printf("peak memory           %8.1f MiB host, %.1f MiB device\n", peak_host_mib(), device_mib);
+    print_warnings(job.diagnostics);
+    return 0;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Action& action) {
+    auto options = std::make_shared<BenchOptions>();
+    CLI::App* command = app.add_subcommand("bench", "Measure start-up, per-pass times and memory");
+    command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file")->required();
+    add_scene_options(*command, options->job);
+    add_picture_options(*command, options->job);
+    add_device_options(*command, options->job);
+    command->add_option("--frames", options->frames, "Frames to take the median of")
+        ->check(CLI::Range(1, 100000));
+    command->callback([options, &action] { action = [options] { return bench(*options); }; });
+}
+
+}  // namespace candela::app

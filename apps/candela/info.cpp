@@ -1,0 +1,164 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "candela/bake/environment.hpp"
+#include "candela/io/gltf.hpp"
+#include "candela/scene/error.hpp"
+#include "candela/version.hpp"
+#include "command.hpp"
+#include "job.hpp"
+#include "shading/lights/punctual.glsl"
+
+namespace candela::app {
+namespace {
+
+using nlohmann::json;
+
+struct InfoOptions {
+    std::string scene_file;
+    float light_scale = 1.0f;
+    float time_s = 0.0f;
+    bool json = false;
+};
+
+const char* kind_name(gpu::DeviceKind kind) {
+    switch (kind) {
+        case gpu::DeviceKind::discrete:
+            return "discrete GPU";
+        case gpu::DeviceKind::integrated:
+            return "integrated GPU";
+        case gpu::DeviceKind::virtual_gpu:
+            return "virtual GPU";
+        case gpu::DeviceKind::cpu:
+            return "CPU";
+        default:
+            return "other";
+    }
+}
+
+json devices_json() {
+    json list = json::array();
+    for (const gpu::DeviceInfo& d : gpu::list_devices()) {
+        list.push_back({{"index", d.index},
+                        {"name", d.name},
+                        {"driver", d.driver},
+                        {"kind", kind_name(d.kind)},
+                        {"usable", d.usable}});
+        if (!d.usable) list.back()["why_not"] = d.why_unusable;
+    }
+    return list;
+}
+
+/// Illuminance on a plane facing the light at 1 m (for a directional light: anywhere).
+float illuminance_at_1m_lx(const scene::Light& light) {
+    const float strength = light.intensity * shading::luminance(light.color);
+    if (light.type == scene::LightType::directional) return strength;
+    return strength * shading::distance_attenuation(glm::vec3(0.0f, 0.0f, 1.0f), light.range_m);
+}
+
+json light_json(const scene::Light& light) {
+    json out{{"name", light.name},
+             {"color", {light.color.x, light.color.y, light.color.z}},
+             {"illuminance_at_1m_lx", illuminance_at_1m_lx(light)}};
+    switch (light.type) {
+        case scene::LightType::point:
+            out["type"] = "point";
+            break;
+        case scene::LightType::spot:
+            out["type"] = "spot";
+            break;
+        case scene::LightType::directional:
+            out["type"] = "directional";
+            break;
+    }
+    out[light.type == scene::LightType::directional ? "illuminance_lx" : "intensity_cd"] = light.intensity;
+    if (light.type != scene::LightType::directional && !std::isinf(light.range_m))
+        out["range_m"] = light.range_m;
+    if (light.type == scene::LightType::spot) {
+        out["inner_cone_deg"] = light.inner_cone_rad * 180.0f / shading::PI;
+        out["outer_cone_deg"] = light.outer_cone_rad * 180.0f / shading::PI;
+    }
+    return out;
+}
+
+json scene_json(const InfoOptions& options) {
+    Diagnostics diagnostics;
+    const scene::Scene scene =
+        io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, diagnostics);
+    json out{{"file", options.scene_file},    {"triangles", scene::triangle_count(scene)},
+             {"meshes", scene.meshes.size()}, {"instances", scene.instances.size()},
+             {"materials", json::array()},    {"lights", json::array()},
+             {"cameras", json::array()}};
+    const scene::Aabb bounds = scene::world_bounds(scene);
+    if (!bounds.empty()) {
+        out["bounds_m"] = {{bounds.min.x, bounds.min.y, bounds.min.z},
+                           {bounds.max.x, bounds.max.y, bounds.max.z}};
+    }
+    for (const scene::Material& m : scene.materials) out["materials"].push_back(m.name);
+    for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light));
+    for (const scene::Camera& camera : scene.cameras) out["cameras"].push_back(camera.name);
+    std::size_t texture_texels = 0;
+    for (const scene::Image& image : scene.images) texture_texels += std::size_t{image.width} * image.height;
+    out["images"] = scene.images.size();
+    out["image_texels"] = texture_texels;
+    out["warnings"] = warnings_json(diagnostics);
+    return out;
+}
+
+void print_scene(const json& s) {
+    std::printf("%s: %zu triangles, %zu meshes, %zu instances, %zu materials, %zu images\n",
+                s["file"].get<std::string>().c_str(), s["triangles"].get<std::size_t>(),
+                s["meshes"].get<std::size_t>(), s["instances"].get<std::size_t>(), s["materials"].size(),
+                s["images"].get<std::size_t>());
+    if (s.contains("bounds_m")) std::printf("  bounds   %s m\n", s["bounds_m"].dump().c_str());
+    for (const json& camera : s["cameras"]) std::printf("  camera   %s\n", camera.get<std::string>().c_str());
+    for (const json& light : s["lights"]) {
+        const bool lux = light.contains("illuminance_lx");
+        std::printf("  light    %s: %s, %g %s, gives %g lx at 1 m\n",
+                    light["name"].get<std::string>().c_str(), light["type"].get<std::string>().c_str(),
+                    light[lux ? "illuminance_lx" : "intensity_cd"].get<double>(), lux ? "lx" : "cd",
+                    light["illuminance_at_1m_lx"].get<double>());
+    }
+    for (const json& w : s["warnings"]) {
+        std::printf("  warning  %s (%zu)\n", w["text"].get<std::string>().c_str(),
+                    w["count"].get<std::size_t>());
+    }
+}
+
+int info(const InfoOptions& options) {
+    json out{{"version", version()}};
+    if (options.scene_file.empty()) {
+        out["devices"] = devices_json();
+    } else {
+        out["scene"] = scene_json(options);
+    }
+    if (options.json) {
+        std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+        return 0;
+    }
+    std::printf("candela %s\n", version());
+    if (out.contains("scene")) print_scene(out["scene"]);
+    for (const json& d : out.value("devices", json::array())) {
+        std::printf("  device %u  %s, %s, %s%s\n", d["index"].get<unsigned>(),
+                    d["name"].get<std::string>().c_str(), d["driver"].get<std::string>().c_str(),
+                    d["kind"].get<std::string>().c_str(),
+                    d["usable"].get<bool>() ? "" : (": " + d["why_not"].get<std::string>()).c_str());
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "What is in a scene; without one, the devices");
+    command->add_option("SCENE", options->scene_file, "A .gltf or .glb file");
+    command->add_option("--light-scale", options->light_scale, "Multiplies every punctual light of the file");
+    command->add_option("--time", options->time_s, "Time of animations in s");
+    command->add_flag("--json", options->json, "Print one JSON object on standard output");
+    command->callback([options, &action] { action = [options] { return info(*options); }; });
+}
+
+}  // namespace candela::app

@@ -1,0 +1,283 @@
+#include "job.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "candela/bake/environment.hpp"
+#include "candela/io/gltf.hpp"
+#include "candela/io/image_read.hpp"
+#include "candela/io/stage.hpp"
+#include "candela/scene/error.hpp"
+#include "shading/tone_curves.glsl"
+
+namespace candela::app {
+namespace {
+
+Error usage(const std::string& what, const std::string& where, const std::string& hint) {
+    return {Fault::usage, what, where, hint};
+}
+
+void check_range(float value, float low, float high, const std::string& where, const std::string& hint) {
+    if (!(value >= low && value <= high)) throw usage("out of range", where, hint);
+}
+
+void parse_size(const std::string& text, Job& job) {
+    constexpr std::uint32_t largest = 16384;
+    const char* end = text.data() + text.size();
+    const auto [middle, first_error] = std::from_chars(text.data(), end, job.width);
+    bool good = first_error == std::errc{} && middle != end && *middle == 'x';
+    if (good) {
+        const auto [stop, second_error] = std::from_chars(middle + 1, end, job.height);
+        good = second_error == std::errc{} && stop == end;
+    }
+    if (!good || !job.width || !job.height || job.width > largest || job.height > largest) {
+        throw usage("not a size: " + text, "--size", "WIDTHxHEIGHT, each 1 to 16384, such as 1280x720");
+    }
+}
+
+/// Seconds from "0.008" or "1/125".
+float parse_shutter(const std::string& text) {
+    const auto number = [&](std::string_view part) {
+        float value = 0.0f;
+        const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        const bool good =
+            error == std::errc{} && stop == part.data() + part.size() && value > 0.0f && std::isfinite(value);
+        if (!good)
+            throw usage("not an exposure time: " + text, "--shutter", "seconds such as 0.008 or 1/125");
+        return value;
+    };
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) return number(text);
+    return number(std::string_view(text).substr(0, slash)) / number(std::string_view(text).substr(slash + 1));
+}
+
+std::uint32_t parse_tone_curve(const std::string& name) {
+    if (name == "none") return shading::kToneNone;
+    if (name == "aces") return shading::kToneAces;
+    if (name == "agx") return shading::kToneAgx;
+    return shading::kToneNeutral;
+}
+
+realtime::Profile load_profile(const std::string& name) {
+    if (!name.ends_with(".json")) return realtime::profile_by_name(name);
+    const auto bytes = io::read_file(name, 1u << 20);
+    const char* text = reinterpret_cast<const char*>(bytes.data());
+    const auto json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false, true);
+    if (!json.is_object())
+        throw input_error("not a JSON object", name, "{\"base\": \"best\", \"diffuse\": \"disney\"}");
+    realtime::Profile profile =
+        realtime::profile_by_name(json.contains("base") && json["base"].is_string() ? json["base"] : "best");
+    profile.name = std::filesystem::path(name).stem().string();
+    for (const auto& [slot, technique] : json.items()) {
+        if (slot == "base") continue;
+        const std::string where = name + ": /" + slot;
+        if (!technique.is_string()) throw input_error("a technique's name is a string", where);
+        realtime::set_technique(profile, slot, technique.get<std::string>(), where);
+    }
+    return profile;
+}
+
+/// The environment that the command line asks for, else the stage's; false when neither says anything.
+bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+    std::optional<float> lux;
+    if (stage.environment) {
+        const io::StageEnvironment& e = *stage.environment;
+        job.scene.environment =
+            e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
+        job.scene.environment->scale = e.scale;
+        job.scene.environment->rotation_rad = e.rotation_rad;
+        job.scene.environment->visible = e.visible;
+        lux = e.illuminance_lx;
+    }
+    if (options.environment == "none") {
+        job.scene.environment.reset();
+        return true;
+    }
+    if (options.environment == "studio") {
+        job.scene.environment = bake::studio_environment();
+    } else if (!options.environment.empty()) {
+        job.scene.environment = io::read_environment(options.environment, job.diagnostics);
+        lux.reset();
+    }
+    if (!job.scene.environment) return false;
+    scene::Environment& e = *job.scene.environment;
+    if (options.env_scale) e.scale = *options.env_scale;
+    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
+    if (options.env_visible) e.visible = *options.env_visible;
+    if (options.env_lux) lux = options.env_lux;
+    if (lux) {
+        e.scale = 1.0f;
+        const float now_lx = bake::upward_illuminance_lx(e);
+        if (!(now_lx > 0.0f))
+            throw input_error("the environment gives no light", e.name, "leave --env-lux out");
+        e.scale = *lux / now_lx;
+    }
+    return true;
+}
+
+glm::vec3 vector_of(const std::vector<float>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, const Job& job) {
+    const float aspect = static_cast<float>(job.width) / static_cast<float>(job.height);
+    const scene::Aabb bounds = scene::world_bounds(job.scene);
+    std::optional<float> focal_mm = options.focal_mm ? options.focal_mm : stage.camera.focal_mm;
+    const float yfov = scene::yfov_from_focal_mm(focal_mm.value_or(50.0f));
+
+    std::optional<glm::vec3> from = stage.camera.look_from;
+    std::optional<glm::vec3> at = stage.camera.look_at;
+    if (!options.look_from.empty()) from = vector_of(options.look_from);
+    if (!options.look_at.empty()) at = vector_of(options.look_at);
+    const std::string name = !options.camera.empty() ? options.camera : stage.camera.name.value_or("");
+    if (!name.empty() && options.look_from.empty()) {
+        std::string known;
+        for (const scene::Camera& camera : job.scene.cameras) {
+            if (camera.name == name) return camera;
+            known += (known.empty() ? "" : ", ") + camera.name;
+        }
+        throw input_error("no camera of this name: " + name, options.scene_file,
+                          known.empty() ? "the scene has no cameras" : "it has " + known);
+    }
+    if (from) {
+        const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
+        const glm::vec3 target = at.value_or(center);
+        if (glm::length(*from - target) < 1e-6f) {
+            throw usage("the camera stands where it looks", "--look-from", "move one of the two points");
+        }
+        return scene::look_at(*from, target, yfov);
+    }
+    if (!job.scene.cameras.empty()) {
+        scene::Camera camera = job.scene.cameras.front();
+        if (focal_mm) camera.yfov_rad = yfov;
+        return camera;
+    }
+    return scene::frame_bounds(bounds, aspect);
+}
+
+scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stage) {
+    scene::Exposure e = stage.exposure;
+    const bool camera_given = options.aperture_f || options.shutter_s || options.iso;
+    if (options.auto_exposure || options.ev100 || camera_given) {
+        const float compensation = e.compensation_ev;
+        if (options.auto_exposure || options.ev100) e = {};
+        e.ev100.reset();
+        e.compensation_ev = compensation;
+    }
+    if (options.ev100) e.ev100 = options.ev100;
+    if (options.aperture_f) e.aperture_f = options.aperture_f;
+    if (options.shutter_s) e.shutter_s = parse_shutter(*options.shutter_s);
+    if (options.iso) e.iso = options.iso;
+    const int given = (e.aperture_f ? 1 : 0) + (e.shutter_s ? 1 : 0) + (e.iso ? 1 : 0);
+    if (!e.ev100 && given > 0 && given < 3) {
+        throw usage("a camera exposure needs all three of aperture, shutter and ISO",
+                    "--aperture --shutter --iso", "or --ev100 E, or --auto-exposure");
+    }
+    if (e.ev100) check_range(*e.ev100, -30.0f, 40.0f, "--ev100", "-30 to 40");
+    if (options.exposure_compensation) e.compensation_ev = *options.exposure_compensation;
+    return e;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, JobOptions& o) {
+    command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
+    command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
+    command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
+    command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--env-visible,!--env-hidden", o.env_visible,
+                     "Draw the environment as background or not");
+    command.add_option("--light-scale", o.light_scale, "Multiplies every punctual light of the file")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
+}
+
+void add_picture_options(CLI::App& command, JobOptions& o) {
+    command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command.add_option("--camera", o.camera, "A camera of the scene, by name");
+    command.add_option("--look-from", o.look_from, "x,y,z of the camera in m")->delimiter(',')->expected(3);
+    command.add_option("--look-at", o.look_at, "x,y,z that it looks at")->delimiter(',')->expected(3);
+    command.add_option("--focal-mm", o.focal_mm, "Focal length on a 36x24 mm sensor")
+        ->check(CLI::Range(1.0f, 5000.0f));
+    command.add_option("--aperture", o.aperture_f, "N of f/N")->check(CLI::Range(0.1f, 1000.0f));
+    command.add_option("--shutter", o.shutter_s, "Exposure time in s, such as 1/125");
+    command.add_option("--iso", o.iso, "Sensitivity")->check(CLI::Range(1.0f, 1e7f));
+    command.add_option("--ev100", o.ev100, "Exposure value at ISO 100");
+    command.add_flag("--auto-exposure", o.auto_exposure,
+                     "Meter the picture (the default when nothing else is said)");
+    command.add_option("--exposure-compensation", o.exposure_compensation, "Stops; positive brightens")
+        ->check(CLI::Range(-30.0f, 30.0f));
+    command.add_option("--profile", o.profile, "best, frostbite, ue4, mobile or FILE.json")
+        ->capture_default_str();
+    command.add_option("--tonemap", o.tonemap, "Tone curve of PNG files")
+        ->check(CLI::IsMember({"none", "aces", "agx", "neutral"}))
+        ->capture_default_str();
+    command.add_option("--seed", o.seed, "Of the sample positions")->capture_default_str();
+}
+
+void add_device_options(CLI::App& command, JobOptions& o) {
+    command.add_option("--device", o.device, "auto, cpu, an index or part of a name (candela info)")
+        ->capture_default_str();
+    command.add_flag("--validation", o.validation,
+                     "Run under the Vulkan validation layer; its messages are errors");
+    command.add_flag("--json", o.json, "Print one JSON object on standard output");
+}
+
+Job prepare(const JobOptions& options) {
+    Job job;
+    parse_size(options.size, job);
+    job.profile = load_profile(options.profile);
+    job.tone_curve = parse_tone_curve(options.tonemap);
+    job.scene = io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, job.diagnostics);
+    io::Stage stage;
+    if (!options.stage_file.empty()) stage = io::load_stage(options.stage_file);
+    if (!stage_environment(options, stage, job) && job.scene.lights.empty()) {
+        job.scene.environment = bake::studio_environment();
+        job.diagnostics.warn(
+            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
+    }
+    job.camera = choose_camera(options, stage, job);
+    job.exposure = choose_exposure(options, stage);
+    return job;
+}
+
+gpu::DeviceOptions device_options(const JobOptions& options) {
+    gpu::DeviceOptions out;
+    out.select = options.device;
+    out.validation = options.validation;
+    out.cache_folder = gpu::user_cache_folder();
+    return out;
+}
+
+void print_warnings(const Diagnostics& diagnostics) {
+    for (const Diagnostics::Warning& w : diagnostics.warnings()) {
+        const std::string times = w.count > 1 ? " (" + std::to_string(w.count) + " times)" : "";
+        std::fprintf(stderr, "candela: warning: %s%s\n", Error(Fault::input, w.text).line().c_str(),
+                     times.c_str());
+    }
+}
+
+nlohmann::json warnings_json(const Diagnostics& diagnostics) {
+    auto list = nlohmann::json::array();
+    for (const Diagnostics::Warning& w : diagnostics.warnings())
+        list.push_back({{"text", w.text}, {"count", w.count}});
+    return list;
+}
+
+nlohmann::json pass_times_json(const std::vector<gpu::PassTime>& times) {
+    auto list = nlohmann::json::array();
+    for (const gpu::PassTime& t : times) list.push_back({{"pass", t.name}, {"ms", t.milliseconds}});
+    return list;
+}
+
+std::string device_line(const gpu::DeviceInfo& info) {
+    return info.name + ", " + info.driver;
+}
+
+}  // namespace candela::app

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "candela/gpu/device.hpp"
+#include "candela/realtime/renderer.hpp"
+#include "candela/scene/diagnostics.hpp"
+#include "candela/scene/scene.hpp"
+
+namespace candela::app {
+
+/// What `render`, `bench` and `info` have in common: a scene on a stage, before any device is touched.
+struct JobOptions {
+    std::string scene_file;
+    std::string stage_file;
+    std::string environment;  ///< file, "studio", "none", or empty: what stage and scene say
+    std::optional<float> env_scale;
+    std::optional<float> env_rotate_deg;
+    std::optional<float> env_lux;
+    std::optional<bool> env_visible;
+    float light_scale = 1.0f;
+    float time_s = 0.0f;
+    std::string size = "1280x720";
+    std::string camera;
+    std::vector<float> look_from;
+    std::vector<float> look_at;
+    std::optional<float> focal_mm;
+    std::optional<float> aperture_f;
+    std::optional<std::string> shutter_s;  ///< "0.008" or "1/125"
+    std::optional<float> iso;
+    std::optional<float> ev100;
+    bool auto_exposure = false;
+    std::optional<float> exposure_compensation;
+    std::string profile = "best";
+    std::string tonemap = "neutral";
+    std::string device = "auto";
+    bool validation = false;
+    std::uint32_t seed = 0;
+    bool json = false;
+};
+
+void add_scene_options(CLI::App& command, JobOptions& options);
+void add_picture_options(CLI::App& command, JobOptions& options);
+void add_device_options(CLI::App& command, JobOptions& options);
+
+struct Job {
+    scene::Scene scene;
+    scene::Camera camera;
+    scene::Exposure exposure;
+    realtime::Profile profile;
+    std::uint32_t tone_curve = 0;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    Diagnostics diagnostics;
+};
+
+/// Loads and stages the scene. Throws Error.
+[[nodiscard]] Job prepare(const JobOptions& options);
+
+[[nodiscard]] gpu::DeviceOptions device_options(const JobOptions& options);
+
+/// Prints each warning once, with its count, to standard error.
+void print_warnings(const Diagnostics& diagnostics);
+[[nodiscard]] nlohmann::json warnings_json(const Diagnostics& diagnostics);
+[[nodiscard]] nlohmann::json pass_times_json(const std::vector<gpu::PassTime>& times);
+[[nodiscard]] std::string device_line(const gpu::DeviceInfo& info);
+
+}  // namespace candela::app

@@ -1,0 +1,46 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "candela/scene/error.hpp"
+#include "candela/version.hpp"
+#include "command.hpp"
+
+namespace {
+
+int fail(const std::string& line, candela::Fault fault) {
+    std::fprintf(stderr, "candela: error: %s\n", line.c_str());
+    return static_cast<int>(fault);
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Candela: light in physical units, on Vulkan, with its own proof");
+    app.set_version_flag("--version", std::string("candela ") + candela::version());
+    app.require_subcommand(1);
+    candela::app::Action action;
+    candela::app::add_render(app, action);
+    candela::app::add_info(app, action);
+    candela::app::add_bench(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+        if (asked) return app.exit(error);
+        return fail(std::string(error.what()) + " (candela --help)", candela::Fault::usage);
+    }
+    return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const candela::Error& error) {
+        return fail(error.line(), error.fault());
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory", candela::Fault::machine);
+    } catch (const std::exception& error) {
+        return fail(error.what(), candela::Fault::machine);
+    }
+}

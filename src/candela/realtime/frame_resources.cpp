@@ -1,0 +1,47 @@
+#include "candela/realtime/frame_resources.hpp"
+
+namespace candela::realtime {
+
+gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant) {
+    const Profile& p = frame.profile;
+    const auto bits = [](auto value) { return static_cast<std::uint32_t>(value); };
+    return {variant.features,
+            bits(p.specular_aa),
+            bits(p.diffuse),
+            bits(p.visibility),
+            bits(p.fresnel),
+            bits(p.energy),
+            bits(p.dfg),
+            bits(p.reflection),
+            bits(variant.layers),
+            bits(variant.lights),
+            bits(frame.has_environment),
+            bits(variant.shading_class),
+            bits(variant.emissive),
+            bits(frame.write_aovs)};
+}
+
+std::vector<VkDescriptorType> shading_set_layout() {
+    return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+}
+
+std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
+    return {gpu::bind_buffer(frame.frame_block),
+            gpu::bind_buffer(scene.lights),
+            gpu::bind_sampled(frame.dfg.view(), frame.clamp.get()),
+            gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
+            gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
+            gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get())};
+}
+
+void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
+    commands.use(scene.lights, gpu::Use::storage_read);
+    commands.use(frame.dfg, gpu::Use::sampled);
+    commands.use(frame.environment.specular, gpu::Use::sampled);
+    commands.use(frame.environment.irradiance, gpu::Use::sampled);
+    commands.use(frame.environment.background, gpu::Use::sampled);
+}
+
+}  // namespace candela::realtime

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "candela/bake/environment.hpp"
+#include "candela/gpu/commands.hpp"
+#include "candela/realtime/gpu_scene.hpp"
+#include "candela/realtime/profile.hpp"
+
+namespace candela::realtime {
+
+/// std140 layout of shaders/frame.glsl.
+struct FrameBlock {
+    glm::mat4 world_to_clip;
+    glm::mat4 clip_to_world;
+    glm::vec4 camera_position;
+    glm::vec4 camera_backward;
+    glm::vec4 exposure;
+    glm::vec4 environment;
+    glm::ivec4 size;
+    glm::ivec4 tiles;
+};
+
+/// Shading classes of shaders/gbuffer.glsl.
+enum class ShadingClass : std::uint32_t { background, standard, layered, unlit };
+inline constexpr std::uint32_t kShadingClasses = 4;
+inline constexpr std::uint32_t kTileSize = 8;
+
+inline constexpr VkFormat kGBufferFormat = VK_FORMAT_R32G32B32A32_UINT;
+inline constexpr VkFormat kLightFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+inline constexpr VkFormat kIdFormat = VK_FORMAT_R32G32_UINT;
+inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat kPictureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+/// The images that AOVs are made of, each the size of the picture.
+enum class Aov : std::uint8_t {
+    direct_diffuse,
+    direct_specular,
+    indirect_diffuse,
+    indirect_specular,
+    emissive,
+    albedo,
+    normal,
+    distance,
+};
+/// The first five are written by the lighting pass.
+inline constexpr std::size_t kLightingAovs = 5;
+inline constexpr std::size_t kAovCount = 8;
+
+/// Everything the passes of a frame share. Made by the Renderer, filled by the passes in the order of the
+/// frame.
+struct FrameResources {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t tiles_x = 0;
+    std::uint32_t tiles_y = 0;
+    Profile profile;
+    bool write_aovs = false;
+    bool has_environment = false;
+
+    gpu::Buffer frame_block;  ///< FrameBlock, host visible
+    gpu::Image gbuffer;
+    gpu::Image layers;  ///< 1 x 1 when no surface needs it
+    gpu::Image ids;     ///< 1 x 1 without AOVs
+    gpu::Image depth;
+    gpu::Image light;
+    gpu::Buffer tiles;
+    std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
+
+    gpu::Image dfg;
+    bake::EnvironmentMaps environment;
+    gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
+    gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
+    gpu::Owned<VkSampler> nearest;
+
+    [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
+};
+
+/// Specialization constants 0...13 of material.glsl, shade.glsl and lighting.comp.glsl.
+struct ShadeVariant {
+    std::uint32_t features = 0;
+    ShadingClass shading_class = ShadingClass::standard;
+    bool layers = false;
+    bool lights = false;
+    bool emissive = false;
+};
+[[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
+
+/// Descriptor types and bindings 0...5 of set 0, which the lighting and the forward pass share.
+[[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
+[[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
+/// Declares the use of what shading_bindings() names.
+void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene);
+
+/// Work groups of `group` that cover `size`.
+[[nodiscard]] constexpr std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
+    return (size + group - 1) / group;
+}
+
+}  // namespace candela::realtime

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "candela/realtime/mesh_pipelines.hpp"
+
+namespace candela::realtime {
+
+/// Pass 1: rasterizes every opaque and masked surface into the G-buffer; emissive and unlit colour go
+/// straight into the light buffer.
+class GBufferPass {
+  public:
+    GBufferPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
+    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const;
+
+  private:
+    MeshPipelines pipelines_;
+};
+
+}  // namespace candela::realtime

@@ -1,0 +1,250 @@
+#include "candela/realtime/gpu_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/matrix.hpp>
+#include <map>
+
+#include "candela/realtime/material_block.hpp"
+#include "candela/realtime/mipmaps.hpp"
+
+namespace candela::realtime {
+namespace {
+
+std::int16_t snorm16(float x) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0f, 1.0f) * 32767.0f));
+}
+std::uint16_t unorm16(float x) {
+    return static_cast<std::uint16_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 65535.0f));
+}
+
+Vertex make_vertex(const scene::Primitive& p, std::size_t i) {
+    Vertex v;
+    v.position = p.positions[i];
+    for (int c = 0; c < 3; ++c) v.normal[c] = snorm16(p.normals[i][c]);
+    if (!p.tangents.empty()) {
+        for (int c = 0; c < 4; ++c) v.tangent[c] = snorm16(p.tangents[i][c]);
+    }
+    if (!p.uv[0].empty()) v.uv0 = p.uv[0][i];
+    if (!p.uv[1].empty()) v.uv1 = p.uv[1][i];
+    for (int c = 0; c < 4; ++c) v.color[c] = p.colors.empty() ? 65535 : unorm16(p.colors[i][c]);
+    return v;
+}
+
+/// A 1 x 1 white texel stands in for every absent texture, so that each binding is valid.
+const scene::Image& white_image() {
+    static const scene::Image image{"white", 1, 1, {255, 255, 255, 255}};
+    return image;
+}
+
+VkSamplerAddressMode address_mode(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::mirrored_repeat:
+            return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+        case scene::Wrap::clamp_to_edge:
+            return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+        default:
+            return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    }
+}
+
+VkFilter filter(scene::Filter f) {
+    return f == scene::Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+}
+
+gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler) {
+    gpu::SamplerDesc desc;
+    desc.magnify = filter(sampler.magnify);
+    desc.minify = filter(sampler.minify);
+    desc.mip = sampler.mip == scene::MipFilter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                       : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    desc.wrap_u = address_mode(sampler.wrap_s);
+    desc.wrap_v = address_mode(sampler.wrap_t);
+    if (sampler.mip == scene::MipFilter::none)
+        desc.max_lod = 0.25f;  // the specification's way to name level 0 only
+    const bool all_linear = sampler.magnify == scene::Filter::linear &&
+                            sampler.minify == scene::Filter::linear &&
+                            sampler.mip == scene::MipFilter::linear;
+    desc.anisotropy = all_linear ? 8.0f : 1.0f;
+    return desc;
+}
+
+/// Colour slots hold sRGB-encoded texels; the others are data.
+bool is_srgb_slot(std::size_t slot, const scene::Material& m) {
+    const bool specular_glossiness = m.workflow == scene::Workflow::specular_glossiness;
+    return slot == slot_base_color || slot == slot_emissive || slot == slot_specular_color ||
+           slot == slot_sheen_color || (slot == slot_metallic_roughness && specular_glossiness);
+}
+
+gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, const scene::Image& source,
+                        bool srgb) {
+    const auto levels = mip_chain(source, srgb);
+    std::size_t bytes = 0;
+    for (const auto& level : levels) bytes += level.size();
+    gpu::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
+    gpu::Image image(device,
+                     {source.width, source.height, srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                      VK_IMAGE_USAGE_SAMPLED_BIT, static_cast<std::uint32_t>(levels.size())});
+    commands.begin();
+    std::size_t offset = 0;
+    for (std::uint32_t level = 0; level < levels.size(); ++level) {
+        std::memcpy(staging.mapped() + offset, levels[level].data(), levels[level].size());
+        commands.copy(staging, image, level, offset);
+        offset += levels[level].size();
+    }
+    commands.use(image, gpu::Use::sampled);
+    commands.submit_and_wait();
+    return image;
+}
+
+/// std430 layout of a light in shaders/lights.glsl.
+struct LightBlock {
+    glm::vec4 position_range;     // m; w = window radius in m
+    glm::vec4 color_intensity;    // rgb * cd or lx; w = LightType
+    glm::vec4 direction_cosines;  // unit; w = cosine of the inner half angle
+    glm::vec4 cos_outer;          // x
+};
+
+}  // namespace
+
+GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene) {
+    upload_geometry(device, commands, scene);
+    upload_textures(device, commands, scene);
+    upload_materials(device, commands, scene);
+    upload_lights(device, commands, scene);
+}
+
+void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& commands,
+                               const scene::Scene& scene) {
+    std::vector<Vertex> all_vertices;
+    std::vector<std::uint32_t> all_indices;
+    std::vector<std::vector<Draw>> mesh_draws(scene.meshes.size());
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        for (const scene::Primitive& p : scene.meshes[m].primitives) {
+            if (p.indices.empty()) continue;
+            Draw draw;
+            draw.first_index = static_cast<std::uint32_t>(all_indices.size());
+            draw.index_count = static_cast<std::uint32_t>(p.indices.size());
+            draw.vertex_offset = static_cast<std::int32_t>(all_vertices.size());
+            draw.material = p.material;
+            draw.world_center = p.bounds.empty() ? glm::vec3(0.0f) : 0.5f * (p.bounds.min + p.bounds.max);
+            const scene::Material& material = scene.materials[p.material];
+            draw.features = material_features(material);
+            if (!p.colors.empty()) draw.features |= feature_vertex_color;
+            draw.blended = material.alpha_mode == scene::AlphaMode::blend;
+            mesh_draws[m].push_back(draw);
+            for (std::size_t i = 0; i < p.positions.size(); ++i) all_vertices.push_back(make_vertex(p, i));
+            all_indices.insert(all_indices.end(), p.indices.begin(), p.indices.end());
+        }
+    }
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        for (Draw draw : mesh_draws[instance.mesh]) {
+            draw.instance = i;
+            draw.world = instance.world;
+            draw.world_center = glm::vec3(instance.world * glm::vec4(draw.world_center, 1.0f));
+            draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
+            if (!draw.blended) {
+                any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
+                any_layered |= (draw.features & feature_layered) != 0;
+            }
+            draws.push_back(draw);
+        }
+    }
+    // Draws that share a pipeline and a material stand together, so that state changes are few.
+    std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.blended, a.features, a.material) < std::tie(b.blended, b.features, b.material);
+    });
+    if (all_vertices.empty()) return;
+    vertices = gpu::upload_buffer(device, commands, std::as_bytes(std::span(all_vertices)),
+                                  VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    indices = gpu::upload_buffer(device, commands, std::as_bytes(std::span(all_indices)),
+                                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+}
+
+void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands,
+                               const scene::Scene& scene) {
+    images_.push_back(upload_image(device, commands, white_image(), false));
+    samplers_.push_back(gpu::create_sampler(device, {}));
+
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known_images;
+    std::vector<std::pair<scene::Sampler, std::uint32_t>> known_samplers;
+    const auto image_of = [&](std::uint32_t index, bool srgb) {
+        if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
+        const auto [entry, fresh] =
+            known_images.try_emplace({index, srgb}, static_cast<std::uint32_t>(images_.size()));
+        if (fresh) images_.push_back(upload_image(device, commands, scene.images[index], srgb));
+        return entry->second;
+    };
+    const auto sampler_of = [&](const scene::Sampler& sampler) {
+        for (const auto& [known, index] : known_samplers) {
+            if (known == sampler) return index;
+        }
+        const auto index = static_cast<std::uint32_t>(samplers_.size());
+        samplers_.push_back(gpu::create_sampler(device, sampler_desc(sampler)));
+        known_samplers.emplace_back(sampler, index);
+        return index;
+    };
+    for (const scene::Material& material : scene.materials) {
+        std::array<TextureSlot, kMaterialTextures> slots{};
+        const auto refs = texture_refs(material);
+        for (std::size_t slot = 0; slot < refs.size(); ++slot) {
+            if (!*refs[slot] || refs[slot]->texture >= scene.textures.size()) continue;
+            const scene::Texture& texture = scene.textures[refs[slot]->texture];
+            slots[slot] = {image_of(texture.image, is_srgb_slot(slot, material)),
+                           sampler_of(texture.sampler)};
+        }
+        material_textures_.push_back(slots);
+    }
+}
+
+void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands,
+                                const scene::Scene& scene) {
+    const VkDeviceSize alignment =
+        std::max<VkDeviceSize>(16, device.limits().minUniformBufferOffsetAlignment);
+    material_bytes_ = sizeof(MaterialBlock);
+    material_stride_ = (sizeof(MaterialBlock) + alignment - 1) / alignment * alignment;
+    std::vector<std::byte> bytes(std::max<std::size_t>(1, scene.materials.size()) * material_stride_);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const MaterialBlock block = material_block(scene.materials[i]);
+        std::memcpy(bytes.data() + i * material_stride_, &block, sizeof(block));
+    }
+    materials = gpu::upload_buffer(device, commands, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
+void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene) {
+    std::vector<LightBlock> blocks;
+    for (const scene::Light& light : scene.lights) {
+        LightBlock block{};
+        block.position_range = glm::vec4(light.position, std::min(light.range_m, 1e18f));
+        block.color_intensity = glm::vec4(light.color * light.intensity, static_cast<float>(light.type));
+        block.direction_cosines = glm::vec4(light.direction, std::cos(light.inner_cone_rad));
+        block.cos_outer.x = std::cos(light.outer_cone_rad);
+        blocks.push_back(block);
+    }
+    light_count = static_cast<std::uint32_t>(blocks.size());
+    if (blocks.empty()) blocks.emplace_back();
+    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(blocks)),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+}
+
+std::vector<VkDescriptorType> GpuScene::material_set_layout() {
+    std::vector<VkDescriptorType> types{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
+    types.insert(types.end(), kMaterialTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    return types;
+}
+
+std::vector<gpu::Binding> GpuScene::material_bindings(std::uint32_t material) const {
+    gpu::Binding block = gpu::bind_buffer(materials);
+    block.offset = material * material_stride_;
+    block.range = material_bytes_;
+    std::vector<gpu::Binding> bindings{block};
+    for (const TextureSlot& slot : material_textures_.at(material)) {
+        bindings.push_back(
+            gpu::bind_sampled(images_.at(slot.image).view(), samplers_.at(slot.sampler).get()));
+    }
+    return bindings;
+}
+
+}  // namespace candela::realtime

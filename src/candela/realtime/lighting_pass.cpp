@@ -1,0 +1,63 @@
+#include "candela/realtime/lighting_pass.hpp"
+
+#include "candela_shaders/lighting_comp.hpp"
+
+namespace candela::realtime {
+namespace {
+
+gpu::LayoutDesc layout() {
+    std::vector<VkDescriptorType> types = shading_set_layout();
+    types.insert(types.end(), 3, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);  // G-buffer, layers, depth
+    types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);                        // light
+    types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);                       // tiles
+    types.insert(types.end(), kLightingAovs, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    return {{types}, 0};
+}
+
+}  // namespace
+
+LightingPass::LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene) {
+    const auto add = [&](ShadingClass shading_class) {
+        ShadeVariant variant;
+        variant.shading_class = shading_class;
+        variant.layers = shading_class == ShadingClass::layered;
+        variant.lights = scene.light_count > 0;
+        variant.emissive = scene.any_emissive;
+        pipelines_.push_back(
+            {shading_class, gpu::create_compute_pipeline(device, shaders::lighting_comp, layout(),
+                                                         specialization(frame, variant))});
+    };
+    add(ShadingClass::background);
+    bool standard = false;
+    for (const Draw& draw : scene.draws) standard |= (draw.features & (feature_layered | feature_unlit)) == 0;
+    if (standard) add(ShadingClass::standard);
+    if (scene.any_layered) add(ShadingClass::layered);
+    if (frame.write_aovs) add(ShadingClass::unlit);
+}
+
+void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {
+    commands.begin_pass("lighting");
+    use_shading_inputs(commands, frame, scene);
+    commands.use(frame.gbuffer, gpu::Use::sampled);
+    commands.use(frame.layers, gpu::Use::sampled);
+    commands.use(frame.depth, gpu::Use::sampled);
+    commands.use(frame.light, gpu::Use::storage_write);
+    for (gpu::Image& aov : frame.aovs) commands.use(aov, gpu::Use::storage_write);
+    commands.use(frame.tiles, gpu::Use::indirect_and_storage_read);
+
+    std::vector<gpu::Binding> bindings = shading_bindings(frame, scene);
+    bindings.push_back(gpu::bind_sampled(frame.gbuffer.view(), frame.nearest.get()));
+    bindings.push_back(gpu::bind_sampled(frame.layers.view(), frame.nearest.get()));
+    bindings.push_back(gpu::bind_sampled(frame.depth.view(), frame.nearest.get()));
+    bindings.push_back(gpu::bind_storage(frame.light.view()));
+    bindings.push_back(gpu::bind_buffer(frame.tiles));
+    for (std::size_t i = 0; i < kLightingAovs; ++i)
+        bindings.push_back(gpu::bind_storage(frame.aovs[i].view()));
+
+    for (const ClassPipeline& p : pipelines_) {
+        const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
+        commands.dispatch_indirect(p.pipeline, bindings, {}, frame.tiles, arguments);
+    }
+}
+
+}  // namespace candela::realtime

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "candela/realtime/frame_resources.hpp"
+
+namespace candela::realtime {
+
+/// Last passes of a still: sums samples in 32 bit, unpacks the G-buffer's AOVs and reads everything back.
+class PicturePass {
+  public:
+    PicturePass(const gpu::Device& device, const FrameResources& frame);
+
+    /// Adds this frame to the sum; `first` starts a new one.
+    void record(gpu::Commands& commands, FrameResources& frame, float nit_per_unit, bool first);
+
+    /// RGBA planes, row 0 on top: the sum of the samples divided by their number. Submits and waits.
+    struct Planes {
+        std::vector<glm::vec4> light_nit;
+        std::array<std::vector<glm::vec4>, kAovCount> aovs;  ///< empty without AOVs
+        std::vector<glm::uvec2> ids;                         ///< of the last sample
+    };
+    [[nodiscard]] Planes read(gpu::Commands& commands, FrameResources& frame, std::uint32_t samples);
+
+  private:
+    const gpu::Device* device_;
+    gpu::ComputePipeline accumulate_;
+    gpu::ComputePipeline unpack_;
+    gpu::Image sum_;
+    std::array<gpu::Image, kAovCount> aov_sums_;
+};
+
+/// Pass of an interactive frame: exposure, tone curve and sRGB transfer into an 8 bit image.
+class PresentPass {
+  public:
+    PresentPass(const gpu::Device& device, const FrameResources& frame, std::uint32_t tone_curve);
+    void record(gpu::Commands& commands, FrameResources& frame, float exposure_change);
+    [[nodiscard]] gpu::Image& display() noexcept { return display_; }
+
+  private:
+    gpu::ComputePipeline pipeline_;
+    gpu::Image display_;
+};
+
+}  // namespace candela::realtime

@@ -1,0 +1,114 @@
+#include "candela/realtime/profile.hpp"
+
+#include <array>
+#include <functional>
+
+#include "candela/scene/error.hpp"
+
+namespace candela::realtime {
+namespace {
+
+/// One slot of a profile: its name, the names of its techniques in the order of the enumeration, and access
+/// to it.
+struct Slot {
+    std::string_view name;
+    std::vector<std::string_view> techniques;
+    std::function<std::uint8_t(const Profile&)> get;
+    std::function<void(Profile&, std::uint8_t)> set;
+};
+
+template <class Technique>
+Slot slot(std::string_view name, Technique Profile::*member, std::vector<std::string_view> techniques) {
+    return {name, std::move(techniques),
+            [member](const Profile& p) { return static_cast<std::uint8_t>(p.*member); },
+            [member](Profile& p, std::uint8_t value) { p.*member = static_cast<Technique>(value); }};
+}
+
+std::vector<Slot> slots() {
+    return {slot("diffuse", &Profile::diffuse, {"lambert", "disney", "disney-renormalized"}),
+            slot("visibility", &Profile::visibility, {"smith-correlated", "schlick-smith"}),
+            slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
+            slot("energy", &Profile::energy, {"none", "compensated"}),
+            slot("dfg", &Profile::dfg, {"table", "env-brdf-approx"}),
+            slot("reflection", &Profile::reflection, {"mirror-direction", "dominant-direction"}),
+            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"})};
+}
+
+template <class Names>
+std::string list(const Names& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+}
+
+Profile best() {
+    return {.name = "best"};
+}
+
+Profile frostbite() {
+    return {.name = "frostbite",
+            .diffuse = DiffuseTechnique::disney_renormalized,
+            .visibility = VisibilityTechnique::smith_correlated,
+            .fresnel = FresnelTechnique::schlick_micro_occlusion,
+            .energy = EnergyTechnique::none,
+            .dfg = DfgTechnique::table,
+            .reflection = ReflectionTechnique::dominant_direction,
+            .specular_aa = SpecularAaTechnique::none};
+}
+
+Profile ue4() {
+    return {.name = "ue4",
+            .diffuse = DiffuseTechnique::lambert,
+            .visibility = VisibilityTechnique::schlick_smith,
+            .fresnel = FresnelTechnique::spherical_gaussian,
+            .energy = EnergyTechnique::none,
+            .dfg = DfgTechnique::table,
+            .reflection = ReflectionTechnique::mirror_direction,
+            .specular_aa = SpecularAaTechnique::none};
+}
+
+Profile mobile() {
+    Profile profile = ue4();
+    profile.name = "mobile";
+    profile.dfg = DfgTechnique::env_brdf_approx;
+    return profile;
+}
+
+}  // namespace
+
+Profile profile_by_name(const std::string& name) {
+    for (const Profile& profile : {best(), frostbite(), ue4(), mobile()}) {
+        if (profile.name == name) return profile;
+    }
+    throw input_error("no such profile", name, "one of " + list(profile_names()) + ", or a .json file");
+}
+
+std::vector<std::string> profile_names() {
+    return {"best", "frostbite", "ue4", "mobile"};
+}
+
+void set_technique(Profile& profile, std::string_view slot_name, std::string_view technique,
+                   const std::string& where) {
+    std::vector<std::string_view> names;
+    for (const Slot& s : slots()) {
+        names.push_back(s.name);
+        if (s.name != slot_name) continue;
+        for (std::uint8_t i = 0; i < s.techniques.size(); ++i) {
+            if (s.techniques[i] == technique) return s.set(profile, i);
+        }
+        throw input_error("no such technique: " + std::string(technique), where,
+                          "one of " + list(s.techniques));
+    }
+    throw input_error("no such slot of a profile: " + std::string(slot_name), where, "one of " + list(names));
+}
+
+std::string describe(const Profile& profile) {
+    std::string text;
+    for (const Slot& s : slots()) {
+        text +=
+            (text.empty() ? "" : " ") + std::string(s.name) + "=" + std::string(s.techniques[s.get(profile)]);
+    }
+    return text;
+}
+
+}  // namespace candela::realtime

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace candela::realtime {
+
+/// The rows a profile picks, one technique for each kind of integral (docs/techniques.md names their
+/// sources). The numbers are the constants of the same names in shading/ and in realtime/shaders/.
+enum class DiffuseTechnique : std::uint8_t { lambert, disney, disney_renormalized };
+enum class VisibilityTechnique : std::uint8_t { smith_correlated, schlick_smith };
+enum class FresnelTechnique : std::uint8_t { schlick, spherical_gaussian, schlick_micro_occlusion };
+enum class EnergyTechnique : std::uint8_t { none, compensated };
+enum class DfgTechnique : std::uint8_t { table, env_brdf_approx };
+enum class ReflectionTechnique : std::uint8_t { mirror_direction, dominant_direction };
+enum class SpecularAaTechnique : std::uint8_t { none, footprint };
+
+struct Profile {
+    std::string name;
+    DiffuseTechnique diffuse = DiffuseTechnique::lambert;
+    VisibilityTechnique visibility = VisibilityTechnique::smith_correlated;
+    FresnelTechnique fresnel = FresnelTechnique::schlick;
+    EnergyTechnique energy = EnergyTechnique::compensated;
+    DfgTechnique dfg = DfgTechnique::table;
+    ReflectionTechnique reflection = ReflectionTechnique::dominant_direction;
+    SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
+};
+
+/// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.
+[[nodiscard]] Profile profile_by_name(const std::string& name);
+[[nodiscard]] std::vector<std::string> profile_names();
+
+/// Replaces one technique: set_technique(profile, "diffuse", "lambert"). Throws Error (Fault::input) at
+/// `where` that lists what exists.
+void set_technique(Profile& profile, std::string_view slot, std::string_view technique,
+                   const std::string& where);
+
+/// "diffuse=lambert visibility=smith-correlated ...": for metadata and reports.
+[[nodiscard]] std::string describe(const Profile& profile);
+
+}  // namespace candela::realtime

@@ -1,0 +1,227 @@
+#include "candela/realtime/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "candela/realtime/classify_pass.hpp"
+#include "candela/realtime/exposure_control.hpp"
+#include "candela/realtime/forward_pass.hpp"
+#include "candela/realtime/gbuffer_pass.hpp"
+#include "candela/realtime/lighting_pass.hpp"
+#include "candela/realtime/metering.hpp"
+#include "shading/exposure.glsl"
+#include "shading/sequence.glsl"
+
+namespace candela::realtime {
+namespace {
+
+FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                            const GpuScene& gpu_scene, const RendererOptions& options) {
+    FrameResources frame;
+    frame.width = options.width;
+    frame.height = options.height;
+    frame.tiles_x = groups(options.width, kTileSize);
+    frame.tiles_y = groups(options.height, kTileSize);
+    frame.profile = options.profile;
+    frame.write_aovs = options.aovs;
+    frame.has_environment = scene.environment.has_value();
+
+    const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {
+        return gpu::Image(device, {needed ? options.width : 1, needed ? options.height : 1, format,
+                                   usage | VK_IMAGE_USAGE_SAMPLED_BIT});
+    };
+    constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    frame.gbuffer = image(kGBufferFormat, color, true);
+    frame.layers = image(kGBufferFormat, color, gpu_scene.any_layered);
+    frame.ids = image(kIdFormat, color, options.aovs);
+    frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
+    frame.light = image(kLightFormat, color | VK_IMAGE_USAGE_STORAGE_BIT, true);
+    for (gpu::Image& aov : frame.aovs) aov = image(kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT, options.aovs);
+    frame.tiles = gpu::Buffer(device, ClassifyPass::tile_buffer_bytes(frame.tile_count()),
+                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                              gpu::MemoryKind::device);
+    frame.frame_block =
+        gpu::Buffer(device, sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::upload);
+
+    frame.clamp = gpu::create_sampler(device, {});
+    gpu::SamplerDesc repeat_u;
+    repeat_u.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    frame.repeat_u = gpu::create_sampler(device, repeat_u);
+    gpu::SamplerDesc nearest;
+    nearest.magnify = nearest.minify = VK_FILTER_NEAREST;
+    nearest.mip = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    frame.nearest = gpu::create_sampler(device, nearest);
+
+    frame.dfg = bake::create_dfg_table(device, commands,
+                                       options.profile.visibility == VisibilityTechnique::schlick_smith
+                                           ? bake::DfgModel::ue4_schlick_smith
+                                           : bake::DfgModel::smith_correlated);
+    frame.environment = bake::prefilter_environment(
+        device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
+    return frame;
+}
+
+}  // namespace
+
+struct Renderer::State {
+    State(const gpu::Device& device_in, const scene::Scene& scene, const RendererOptions& options_in)
+        : device(&device_in),
+          options(options_in),
+          commands(device_in),
+          gpu_scene(device_in, commands, scene),
+          frame(create_frame(device_in, commands, scene, gpu_scene, options_in)),
+          gbuffer(device_in, frame, gpu_scene),
+          classify(device_in),
+          lighting(device_in, frame, gpu_scene),
+          forward(device_in, frame, gpu_scene),
+          metering(device_in),
+          light_limits(estimate_light(scene)) {
+        if (scene.environment) {
+            environment_rotation_rad = scene.environment->rotation_rad;
+            environment_scale = scene.environment->scale;
+            environment_visible = scene.environment->visible;
+        }
+    }
+
+    /// Half floats end at 65504; the light buffer's exposure leaves the brightest thing in the scene below
+    /// that.
+    [[nodiscard]] float pre_exposure(float exposure) const {
+        return light_limits.peak_nit > 0.0f ? std::min(exposure, 60000.0f / light_limits.peak_nit) : exposure;
+    }
+
+    void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
+                           float footprint);
+    void record_light(const scene::Camera& camera);
+    [[nodiscard]] float meter(const scene::Camera& camera, bool& found);
+
+    const gpu::Device* device;
+    RendererOptions options;
+    gpu::Commands commands;
+    GpuScene gpu_scene;
+    FrameResources frame;
+    GBufferPass gbuffer;
+    ClassifyPass classify;
+    LightingPass lighting;
+    ForwardPass forward;
+    MeteringPass metering;
+    std::optional<PicturePass> picture;
+    std::optional<PresentPass> present;
+    LightEstimate light_limits;
+    float environment_rotation_rad = 0.0f;
+    float environment_scale = 1.0f;
+    bool environment_visible = true;
+    std::optional<float> followed_ev100;
+};
+
+void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
+                                        float footprint) {
+    const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
+    glm::mat4 shift(1.0f);
+    shift[3][0] = 2.0f * jitter_px.x / static_cast<float>(frame.width);
+    shift[3][1] = 2.0f * jitter_px.y / static_cast<float>(frame.height);
+    FrameBlock block{};
+    block.world_to_clip = shift * scene::view_projection(camera, aspect);
+    block.clip_to_world = glm::mat4(glm::inverse(glm::dmat4(block.world_to_clip)));
+    block.camera_position = glm::vec4(glm::vec3(camera.world[3]),
+                                      camera.projection == scene::Projection::perspective ? 1.0f : 0.0f);
+    block.camera_backward = glm::vec4(glm::normalize(glm::vec3(camera.world[2])), 0.0f);
+    block.exposure = glm::vec4(pre, 1.0f / pre, footprint, 0.0f);
+    block.environment = glm::vec4(std::cos(environment_rotation_rad), std::sin(environment_rotation_rad),
+                                  frame.environment.nit_per_unit, environment_visible ? 1.0f : 0.0f);
+    block.size =
+        glm::ivec4(frame.width, frame.height, gpu_scene.light_count, frame.environment.specular_levels);
+    block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
+    std::memcpy(frame.frame_block.mapped(), &block, sizeof(block));
+}
+
+void Renderer::State::record_light(const scene::Camera& camera) {
+    gbuffer.record(commands, frame, gpu_scene);
+    classify.record(commands, frame);
+    lighting.record(commands, frame, gpu_scene);
+    forward.record(commands, frame, gpu_scene, glm::vec3(camera.world[3]),
+                   glm::normalize(glm::vec3(camera.world[2])));
+}
+
+float Renderer::State::meter(const scene::Camera& camera, bool& found) {
+    float ev100 = shading::ev100_from_luminance(std::max(light_limits.typical_nit, 1e-6f));
+    found = false;
+    // A wild first guess only costs another look: the histogram spans 32 stops around it.
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        const float pre = pre_exposure(shading::exposure_from_ev100(ev100));
+        write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f);
+        commands.begin();
+        record_light(camera);
+        metering.record(commands, frame);
+        commands.submit_and_wait();
+        float stops = 0.0f;
+        if (!average_log2_luminance(metering.bins(), kMeterLow, kMeterHigh, stops)) return ev100;
+        found = true;
+        ev100 = shading::ev100_from_luminance(std::exp2(stops) / pre);
+        if (std::abs(stops) < 12.0f) break;
+    }
+    return ev100;
+}
+
+Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const RendererOptions& options)
+    : state_(std::make_unique<State>(device, scene, options)) {}
+
+Renderer::~Renderer() = default;
+
+Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure& exposure) {
+    State& s = *state_;
+    if (!s.picture) s.picture.emplace(*s.device, s.frame);
+    Still still;
+    still.width = s.frame.width;
+    still.height = s.frame.height;
+    still.ev100 = exposure.automatic() ? s.meter(camera, still.metered) : manual_ev100(exposure);
+    still.ev100 -= exposure.compensation_ev;
+    still.exposure = shading::exposure_from_ev100(still.ev100);
+
+    const float pre = s.pre_exposure(still.exposure);
+    const std::uint32_t samples = std::max(1u, s.options.samples);
+    const float footprint = 1.0f / std::sqrt(static_cast<float>(samples));
+    for (std::uint32_t i = 0; i < samples; ++i) {
+        const glm::vec2 jitter =
+            samples == 1 ? glm::vec2(0.0f) : shading::sobol_owen(i, s.options.seed) - glm::vec2(0.5f);
+        s.write_frame_block(camera, pre, jitter, footprint);
+        s.commands.begin();
+        s.record_light(camera);
+        s.picture->record(s.commands, s.frame, 1.0f / pre, i == 0);
+        s.commands.submit_and_wait();
+    }
+    still.pass_times = s.commands.pass_times();
+    still.planes = s.picture->read(s.commands, s.frame, samples);
+    return still;
+}
+
+std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
+                                                  const scene::Exposure& exposure) {
+    State& s = *state_;
+    if (!s.present) s.present.emplace(*s.device, s.frame, s.options.tone_curve);
+    float ev100 = 0.0f;
+    bool found = false;
+    if (!exposure.automatic()) {
+        ev100 = manual_ev100(exposure);
+    } else {
+        if (!s.followed_ev100) s.followed_ev100 = s.meter(camera, found);
+        ev100 = *s.followed_ev100;
+    }
+    const float wanted = shading::exposure_from_ev100(ev100 - exposure.compensation_ev);
+    const float pre = s.pre_exposure(wanted);
+    s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f);
+    s.commands.begin();
+    s.record_light(camera);
+    if (exposure.automatic()) s.metering.record(s.commands, s.frame);
+    s.present->record(s.commands, s.frame, wanted / pre);
+    s.commands.submit_and_wait();
+    float stops = 0.0f;
+    if (exposure.automatic() && average_log2_luminance(s.metering.bins(), kMeterLow, kMeterHigh, stops)) {
+        s.followed_ev100 = shading::ev100_from_luminance(std::exp2(stops) / pre);
+    }
+    return s.commands.pass_times();
+}
+
+}  // namespace candela::realtime

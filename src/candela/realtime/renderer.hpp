@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "candela/gpu/commands.hpp"
+#include "candela/realtime/picture_pass.hpp"
+#include "candela/realtime/profile.hpp"
+#include "candela/scene/scene.hpp"
+
+namespace candela::realtime {
+
+struct RendererOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t samples = 4;  ///< a pixel, in stills
+    std::uint32_t seed = 0;
+    Profile profile;
+    std::uint32_t tone_curve = 3;  ///< of shading/tone_curves.glsl; interactive frames only
+    bool aovs = false;
+};
+
+/// A finished still, scene-referred: luminance in cd/m^2, exposure undone, row 0 on top.
+struct Still {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    float ev100 = 0.0f;     ///< of the camera, automatic or not, compensation included
+    float exposure = 0.0f;  ///< 1 / cd/m^2: luminance * exposure = 1 saturates the sensor (Frostbite 5.1.2)
+    bool metered = false;   ///< the automatic exposure found something to meter
+    PicturePass::Planes planes;
+    std::vector<gpu::PassTime> pass_times;  ///< of the last sample
+};
+
+/// Draws one scene with one set of options. The device must outlive it; one thread at a time.
+class Renderer {
+  public:
+    /// Uploads the scene, bakes the environment's maps and compiles the pipelines.
+    Renderer(const gpu::Device& device, const scene::Scene& scene, const RendererOptions& options);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// A supersampled still. Meters first when the exposure is automatic.
+    [[nodiscard]] Still render_still(const scene::Camera& camera, const scene::Exposure& exposure);
+
+    /// One interactive frame at one sample a pixel, as a viewer would show it: lit, metered, tone mapped.
+    /// Returns the times of its passes. The exposure follows the frame before.
+    std::vector<gpu::PassTime> render_frame(const scene::Camera& camera, const scene::Exposure& exposure);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace candela::realtime

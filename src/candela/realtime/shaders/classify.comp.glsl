@@ -1,0 +1,29 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Sorts 8 x 8 tiles into one list a shading class, so that each class is lit by its own pipeline, dispatched
+// indirectly: nobody pays for lobes that are not on the screen (as Frostbite 3.2.2 sorts by material id).
+#include "frame.glsl"
+#include "gbuffer.glsl"
+
+layout(local_size_x = 64) in;
+layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = 2, std430) buffer Tiles {
+    uvec4 dispatch[kClassCount];  // x = tiles in the list, y = z = 1
+    uint list[];                  // kClassCount lists of tiles.z entries: x | y << 16
+} tiles;
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= uint(frame.tiles.z)) return;
+    ivec2 tile = ivec2(int(index) % frame.tiles.x, int(index) / frame.tiles.x);
+    uint classes = 0u;
+    for (int i = 0; i < 64; ++i) {
+        ivec2 pixel = min(tile * 8 + ivec2(i & 7, i >> 3), frame.size.xy - 1);
+        classes |= 1u << gbuffer_class(texelFetch(gbuffer_image, pixel, 0));
+    }
+    for (uint c = 0u; c < kClassCount; ++c) {
+        if ((classes & (1u << c)) == 0u) continue;
+        uint slot = atomicAdd(tiles.dispatch[c].x, 1u);
+        tiles.list[c * uint(frame.tiles.z) + slot] = uint(tile.x) | uint(tile.y) << 16u;
+    }
+}

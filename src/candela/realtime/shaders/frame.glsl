@@ -1,0 +1,33 @@
+// Set 0, binding 0 of every pass: the camera, the exposure and the environment of this frame. C++: FrameBlock.
+#ifndef CANDELA_FRAME_GLSL
+#define CANDELA_FRAME_GLSL
+
+layout(set = 0, binding = 0, std140) uniform Frame {
+    mat4 world_to_clip;
+    mat4 clip_to_world;
+    vec4 camera_position;   // m; w = 1 perspective, 0 orthographic
+    vec4 camera_backward;   // unit, towards the viewer
+    vec4 exposure;          // x pre-exposure (1 / nit), y its inverse, z footprint of a sample in pixels, w unused
+    vec4 environment;       // x cos, y sin of the rotation about +Y, z nit per texel unit, w 1 = drawn as background
+    ivec4 size;             // x, y pixels; z lights; w levels of the specular map
+    ivec4 tiles;            // x, y tiles; z tiles in a class list; w unused
+} frame;
+
+vec3 world_position(vec2 pixel, float depth) {
+    vec2 ndc = pixel / vec2(frame.size.xy) * 2.0 - 1.0;
+    vec4 p = frame.clip_to_world * vec4(ndc, depth, 1.0);
+    return p.xyz / p.w;
+}
+
+vec3 view_direction(vec3 position) {
+    return frame.camera_position.w > 0.5 ? normalize(frame.camera_position.xyz - position) : frame.camera_backward.xyz;
+}
+
+// Into the environment's own frame: the environment turns counter-clockwise, so directions turn clockwise.
+vec3 to_environment(vec3 d) {
+    float c = frame.environment.x;
+    float s = frame.environment.y;
+    return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
+}
+
+#endif

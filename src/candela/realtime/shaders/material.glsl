@@ -1,0 +1,197 @@
+// Set 1: one material. Evaluates every factor and texture of glTF 2.0 and the KHR_materials_* extensions into a
+// G-buffer entry. C++: MaterialBlock, Feature and TextureSlotName.
+#ifndef CANDELA_MATERIAL_GLSL
+#define CANDELA_MATERIAL_GLSL
+
+#include "gbuffer.glsl"
+#include "footprint.glsl"
+
+layout(constant_id = 0) const uint kFeatures = 0u;
+layout(constant_id = 1) const int kSpecularAa = 0;
+
+const uint kBaseColorTexture = 1u << 0;
+const uint kMetallicRoughnessTexture = 1u << 1;
+const uint kNormalTexture = 1u << 2;
+const uint kOcclusionTexture = 1u << 3;
+const uint kEmissiveTexture = 1u << 4;
+const uint kSpecularTexture = 1u << 5;
+const uint kSpecularColorTexture = 1u << 6;
+const uint kClearcoatTexture = 1u << 7;
+const uint kClearcoatRoughnessTexture = 1u << 8;
+const uint kClearcoatNormalTexture = 1u << 9;
+const uint kSheenColorTexture = 1u << 10;
+const uint kSheenRoughnessTexture = 1u << 11;
+const uint kAnisotropyTexture = 1u << 12;
+const uint kAlphaMask = 1u << 13;
+const uint kLayered = 1u << 14;
+const uint kEmissive = 1u << 15;
+const uint kUnlit = 1u << 16;
+const uint kSpecularGlossiness = 1u << 17;
+const uint kVertexColor = 1u << 18;
+const uint kDoubleSided = 1u << 19;
+const uint kUv1 = 1u << 20;
+
+bool has(uint feature) { return (kFeatures & feature) != 0u; }
+
+layout(set = 1, binding = 0, std140) uniform Material {
+    vec4 base_color;
+    vec4 emissive_nit;
+    vec4 specular_color;
+    vec4 metallic_roughness;
+    vec4 sheen;
+    vec4 clearcoat_anisotropy;
+    vec4 f0_rotation;
+    vec4 uv[26];
+} material;
+layout(set = 1, binding = 1) uniform sampler2D base_color_map;
+layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_map;
+layout(set = 1, binding = 3) uniform sampler2D normal_map;
+layout(set = 1, binding = 4) uniform sampler2D occlusion_map;
+layout(set = 1, binding = 5) uniform sampler2D emissive_map;
+layout(set = 1, binding = 6) uniform sampler2D specular_map;
+layout(set = 1, binding = 7) uniform sampler2D specular_color_map;
+layout(set = 1, binding = 8) uniform sampler2D clearcoat_map;
+layout(set = 1, binding = 9) uniform sampler2D clearcoat_roughness_map;
+layout(set = 1, binding = 10) uniform sampler2D clearcoat_normal_map;
+layout(set = 1, binding = 11) uniform sampler2D sheen_color_map;
+layout(set = 1, binding = 12) uniform sampler2D sheen_roughness_map;
+layout(set = 1, binding = 13) uniform sampler2D anisotropy_map;
+
+layout(location = 0) in vec3 in_normal;
+layout(location = 1) in vec4 in_tangent;
+layout(location = 2) in vec4 in_uv;
+layout(location = 3) in vec4 in_color;
+
+vec2 slot_uv(int slot) {
+    vec4 u = material.uv[2 * slot];
+    vec4 v = material.uv[2 * slot + 1];
+    vec2 uv = has(kUv1) && u.w > 0.5 ? in_uv.zw : in_uv.xy;
+    return vec2(u.x * uv.x + u.y * uv.y + u.z, v.x * uv.x + v.y * uv.y + v.z);
+}
+
+vec4 base_color_and_alpha() {
+    vec4 c = material.base_color;
+    if (has(kBaseColorTexture)) c *= texture(base_color_map, slot_uv(0));
+    if (has(kVertexColor)) c *= in_color;
+    return c;
+}
+
+// Mip-mapping shortens averaged normals; their length says how much roughness was lost (Frostbite 5.3).
+vec3 tangent_space_normal(sampler2D map, vec2 uv, float scale) {
+    vec3 n = texture(map, uv).xyz * 2.0 - 1.0;
+    return vec3(n.xy * scale, n.z);
+}
+
+// The material at this fragment. `facing` is +1 on front faces; derivatives must be defined here.
+GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) {
+    GBuffer g;
+    g.shading_class = has(kUnlit) ? kClassUnlit : has(kLayered) ? kClassLayered : kClassStandard;
+    vec3 vertex_normal = normalize(in_normal) * facing;
+    vec3 tangent = in_tangent.xyz;
+    vec3 bitangent = in_tangent.w * cross(in_normal, in_tangent.xyz) * facing;
+    g.normal = vertex_normal;
+    float normal_length = 1.0;
+    if (has(kNormalTexture)) {
+        vec3 t = tangent_space_normal(normal_map, slot_uv(2), material.metallic_roughness.z);
+        normal_length = min(length(t), 1.0);
+        g.normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
+    }
+
+    emissive_nit = vec3(0.0);
+    if (has(kEmissive)) {
+        emissive_nit = material.emissive_nit.rgb;
+        if (has(kEmissiveTexture)) emissive_nit *= texture(emissive_map, slot_uv(4)).rgb;
+    }
+
+    g.occlusion = 1.0;
+    if (has(kOcclusionTexture)) {
+        g.occlusion = 1.0 + material.metallic_roughness.w * (texture(occlusion_map, slot_uv(3)).r - 1.0);
+    }
+
+    Surface s;
+    s.base_color = base_alpha.rgb;
+    s.metallic = material.metallic_roughness.x;
+    s.perceptual_roughness = material.metallic_roughness.y;
+    vec3 specular_color = material.specular_color.rgb;
+    float specular = material.specular_color.w;
+    if (has(kSpecularGlossiness)) {
+        float glossiness = 1.0 - material.metallic_roughness.y;
+        if (has(kMetallicRoughnessTexture)) {
+            vec4 sg = texture(metallic_roughness_map, slot_uv(1));
+            specular_color *= sg.rgb;
+            glossiness *= sg.a;
+        }
+        s.metallic = 0.0;
+        s.perceptual_roughness = 1.0 - glossiness;
+        s.base_color *= 1.0 - max_component(specular_color);
+        s.dielectric_f0 = specular_color;
+        s.dielectric_f90 = vec3(1.0);
+    } else {
+        if (has(kMetallicRoughnessTexture)) {
+            vec4 mr = texture(metallic_roughness_map, slot_uv(1));
+            s.perceptual_roughness *= mr.g;
+            s.metallic *= mr.b;
+        }
+        if (has(kSpecularTexture)) specular *= texture(specular_map, slot_uv(5)).a;
+        if (has(kSpecularColorTexture)) specular_color *= texture(specular_color_map, slot_uv(6)).rgb;
+        s.dielectric_f0 = min(material.f0_rotation.x * specular_color, vec3(1.0)) * specular;
+        s.dielectric_f90 = vec3(specular);
+    }
+
+    s.coat = 0.0;
+    s.coat_perceptual_roughness = 0.0;
+    s.sheen_color = vec3(0.0);
+    s.sheen_perceptual_roughness = 0.0;
+    s.anisotropy = 0.0;
+    g.coat_normal = vertex_normal;
+    g.tangent = vec3(1.0, 0.0, 0.0);
+    if (has(kLayered)) {
+        s.coat = material.clearcoat_anisotropy.x;
+        if (has(kClearcoatTexture)) s.coat *= texture(clearcoat_map, slot_uv(7)).r;
+        s.coat_perceptual_roughness = material.clearcoat_anisotropy.y;
+        if (has(kClearcoatRoughnessTexture)) {
+            s.coat_perceptual_roughness *= texture(clearcoat_roughness_map, slot_uv(8)).g;
+        }
+        if (has(kClearcoatNormalTexture)) {
+            vec3 t = tangent_space_normal(clearcoat_normal_map, slot_uv(9), material.clearcoat_anisotropy.z);
+            g.coat_normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
+        }
+        s.sheen_color = material.sheen.rgb;
+        if (has(kSheenColorTexture)) s.sheen_color *= texture(sheen_color_map, slot_uv(10)).rgb;
+        s.sheen_perceptual_roughness = material.sheen.w;
+        if (has(kSheenRoughnessTexture)) s.sheen_perceptual_roughness *= texture(sheen_roughness_map, slot_uv(11)).a;
+        s.anisotropy = material.clearcoat_anisotropy.w;
+        vec2 direction = vec2(1.0, 0.0);
+        if (has(kAnisotropyTexture)) {
+            vec3 a = texture(anisotropy_map, slot_uv(12)).rgb;
+            direction = a.rg * 2.0 - 1.0;
+            s.anisotropy *= a.b;
+        }
+        vec2 rotation = material.f0_rotation.yz;
+        direction = vec2(rotation.x * direction.x - rotation.y * direction.y,
+                         rotation.y * direction.x + rotation.x * direction.y);
+        vec3 along = direction.x * tangent + direction.y * bitangent;
+        along -= g.normal * dot(g.normal, along);
+        g.tangent = dot(along, along) > 1e-12 ? normalize(along) : vec3(1.0, 0.0, 0.0);
+    }
+
+    if (has(kNormalTexture)) {
+        s.perceptual_roughness = perceptual_roughness_from_average_normal(s.perceptual_roughness, normal_length);
+    }
+    if (kSpecularAa != 0) {
+        float pixels = frame.exposure.z;
+        vec3 dndx = dFdx(g.normal) * pixels;
+        vec3 dndy = dFdy(g.normal) * pixels;
+        s.perceptual_roughness = sqrt(alpha_filtered(s.perceptual_roughness * s.perceptual_roughness, dndx, dndy));
+        if (has(kLayered)) {
+            dndx = dFdx(g.coat_normal) * pixels;
+            dndy = dFdy(g.coat_normal) * pixels;
+            float alpha = s.coat_perceptual_roughness * s.coat_perceptual_roughness;
+            s.coat_perceptual_roughness = sqrt(alpha_filtered(alpha, dndx, dndy));
+        }
+    }
+    g.surface = s;
+    return g;
+}
+
+#endif

@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Pre-exposed light to a display: tone curve, sRGB transfer, 8 bit.
+#include "frame.glsl"
+#include "tone_curves.glsl"
+#include "transfer.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 0) const int kToneCurve = 3;
+layout(set = 0, binding = 1) uniform sampler2D light_image;
+layout(set = 0, binding = 2, rgba8) writeonly uniform image2D display_image;
+layout(push_constant) uniform Push { float exposure_change; };
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, frame.size.xy))) return;
+    vec3 exposed = texelFetch(light_image, pixel, 0).rgb * exposure_change;
+    imageStore(display_image, pixel, vec4(srgb_from_linear(tone_curve(kToneCurve, exposed)), 1.0));
+}

@@ -1,0 +1,114 @@
+// Lights one surface point: every punctual light, then the environment by split sum. The lighting pass and the forward
+// pass both include this file, so a blended surface is lit by the same code as an opaque one.
+#ifndef CANDELA_SHADE_GLSL
+#define CANDELA_SHADE_GLSL
+
+#include "gbuffer.glsl"
+#include "lights.glsl"
+#include "dfg.glsl"
+#include "dominant_direction.glsl"
+#include "occlusion.glsl"
+#include "../../bake/shaders/environment_maps.glsl"
+
+// The rows of the profile (C++: Profile).
+layout(constant_id = 2) const int kDiffuse = 0;
+layout(constant_id = 3) const int kVisibility = 0;
+layout(constant_id = 4) const int kFresnel = 0;
+layout(constant_id = 5) const int kEnergy = 0;
+layout(constant_id = 6) const int kDfg = 0;
+layout(constant_id = 7) const int kReflection = 0;
+// What this variant has to do at all.
+layout(constant_id = 8) const bool kShadeLayers = false;
+layout(constant_id = 9) const bool kHasLights = false;
+layout(constant_id = 10) const bool kHasEnvironment = false;
+
+const int kDfgEnvBrdfApprox = 1;
+const int kReflectionDominant = 1;
+
+layout(set = 0, binding = 1, std430) readonly buffer Lights { Light lights[]; };
+layout(set = 0, binding = 2) uniform sampler2D dfg_table;
+layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
+layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
+layout(set = 0, binding = 5) uniform sampler2D background_map;
+
+// Luminance in cd/m^2, by the path that the light took.
+struct Lit {
+    vec3 direct_diffuse;
+    vec3 direct_specular;
+    vec3 indirect_diffuse;
+    vec3 indirect_specular;
+};
+
+BsdfTechniques techniques() { return BsdfTechniques(kDiffuse, kVisibility, kFresnel, kEnergy); }
+
+vec4 directional_albedo(float NoV, float perceptual_roughness) {
+    if (kDfg == kDfgEnvBrdfApprox) return dfg_approx(NoV, perceptual_roughness);
+    return textureLod(dfg_table, dfg_uv(NoV, perceptual_roughness), 0.0);
+}
+
+void add_lights(GBuffer g, PreparedSurface prepared, vec3 position, vec3 v, vec4 dfg, inout Lit lit) {
+    vec3 bitangent = kShadeLayers ? cross(g.normal, g.tangent) : vec3(0.0);
+    for (int i = 0; i < frame.size.z; ++i) {
+        vec3 l;
+        vec3 perpendicular_lx = perpendicular_illuminance(lights[i], position, l);
+        float NoL = saturate(dot(g.normal, l));
+        vec3 diffuse;
+        vec3 specular;
+        if (kShadeLayers) {
+            evaluate_layered(g.surface, techniques(), g.normal, g.tangent, bitangent, g.coat_normal, v, l, dfg, diffuse,
+                             specular);
+        } else {
+            vec3 h = normalize(v + l);
+            vec3 nxh = cross(g.normal, h);
+            evaluate_prepared(prepared, techniques(), NoL, saturate(dot(g.normal, h)), dot(nxh, nxh),
+                              saturate(dot(l, h)), diffuse, specular);
+        }
+        vec3 illuminance_lx = perpendicular_lx * NoL;
+        lit.direct_diffuse += diffuse * illuminance_lx;
+        lit.direct_specular += specular * illuminance_lx;
+    }
+}
+
+// Prefiltered environment about the lobe's direction, in cd/m^2.
+vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
+    vec3 mirror = 2.0 * dot(n, v) * n - v;
+    vec3 direction = mirror;
+    if (kReflection == kReflectionDominant) {
+        direction = specular_dominant_direction(n, mirror, alpha_from_perceptual_roughness(perceptual_roughness));
+    }
+    return sample_specular_ld(specular_map_ld, to_environment(direction), perceptual_roughness, frame.size.w) *
+           frame.environment.z;
+}
+
+void add_environment(GBuffer g, vec3 v, float NoV, vec4 dfg, inout Lit lit) {
+    float alpha = alpha_from_perceptual_roughness(g.surface.perceptual_roughness);
+    float specular_visible = specular_occlusion(NoV, g.occlusion, alpha);
+    vec3 irradiance_over_pi = sample_irradiance(irradiance_map, to_environment(g.normal)) * frame.environment.z;
+    vec3 radiance = environment_specular(g.normal, v, g.surface.perceptual_roughness);
+    if (!kShadeLayers) {
+        lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
+        lit.indirect_specular = ibl_specular_weight(g.surface, techniques(), dfg) * radiance * specular_visible;
+        return;
+    }
+    float coat_NoV = max(dot(g.coat_normal, v), 1.0e-4);
+    vec4 coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
+    IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
+    vec3 coat_radiance = environment_specular(g.coat_normal, v, g.surface.coat_perceptual_roughness);
+    lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
+    lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
+                            w.sheen * irradiance_over_pi * g.occlusion;
+}
+
+Lit shade(GBuffer g, vec3 position, vec3 v) {
+    float NoV = clamp(dot(g.normal, v), 1.0e-4, 1.0);
+    vec4 dfg = directional_albedo(NoV, g.surface.perceptual_roughness);
+    Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    if (kHasLights) {
+        PreparedSurface prepared = prepare_surface(g.surface, techniques(), NoV, dfg);
+        add_lights(g, prepared, position, v, dfg, lit);
+    }
+    if (kHasEnvironment) add_environment(g, v, NoV, dfg, lit);
+    return lit;
+}
+
+#endif
