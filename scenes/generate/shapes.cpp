@@ -40,16 +40,34 @@ bool has_area(const Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_
     return glm::dot(n, n) > 0.0f;
 }
 
-glm::vec2 catmull_rom(const std::vector<glm::vec2>& points, float t) {
-    const auto last = static_cast<int>(points.size()) - 1;
-    const float x = t * static_cast<float>(last);
-    const int i = std::min(static_cast<int>(x), last - 1);
-    const float f = x - static_cast<float>(i);
-    const auto at = [&](int k) { return points[static_cast<std::size_t>(std::clamp(k, 0, last))]; };
-    const glm::vec2 a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
-    return b +
-           0.5f * f * ((c - a) + f * ((2.0f * a - 5.0f * b + 4.0f * c - d) + f * (3.0f * (b - c) + d - a)));
-}
+/// Interpolates with tangents scaled by chord length (Catmull-Rom with chordal knots), so that short steps
+/// between long ones do not overshoot. Every step takes the same share of the parameter: small features get
+/// more rings.
+class Curve {
+  public:
+    explicit Curve(const std::vector<glm::vec2>& points) : points_(points), knots_{0.0f} {
+        for (std::size_t i = 1; i < points_.size(); ++i)
+            knots_.push_back(knots_.back() + glm::length(points_[i] - points_[i - 1]));
+    }
+
+    [[nodiscard]] glm::vec2 at(float t) const {
+        const float x = t * static_cast<float>(points_.size() - 1);
+        const std::size_t i = std::min(static_cast<std::size_t>(x), points_.size() - 2);
+        const float h = knots_[i + 1] - knots_[i];
+        const float f = x - static_cast<float>(i), f2 = f * f, f3 = f2 * f;
+        return (2.0f * f3 - 3.0f * f2 + 1.0f) * points_[i] + (f3 - 2.0f * f2 + f) * h * tangent(i) +
+               (3.0f * f2 - 2.0f * f3) * points_[i + 1] + (f3 - f2) * h * tangent(i + 1);
+    }
+
+  private:
+    [[nodiscard]] glm::vec2 tangent(std::size_t i) const {
+        const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, points_.size() - 1);
+        return (points_[after] - points_[before]) / (knots_[after] - knots_[before]);
+    }
+
+    const std::vector<glm::vec2>& points_;
+    std::vector<float> knots_;
+};
 
 float signed_power(float x, float e) {
     return std::copysign(std::pow(std::abs(x), e), x);
@@ -103,8 +121,11 @@ Shape sphere(float radius_m, std::uint32_t segments, std::uint32_t rings) {
 }
 
 Shape turned(const std::vector<glm::vec2>& profile_m, std::uint32_t segments, std::uint32_t rings) {
+    const Curve profile(profile_m);
+    const glm::vec2 first = profile_m.front(), last = profile_m.back();
     return surface_mesh({segments, rings, true, false}, [&](float u, float v) {
-        const glm::vec2 p = catmull_rom(profile_m, v);
+        // The ends are taken as given: a pole must be one place for its normals to be shared.
+        const glm::vec2 p = v <= 0.0f ? first : v >= 1.0f ? last : profile.at(v);
         const float r = std::max(p.x, 0.0f);
         return glm::vec3(r * std::cos(tau * u), p.y, -r * std::sin(tau * u));
     });

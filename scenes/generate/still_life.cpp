@@ -63,7 +63,7 @@ Shape vase() {
                           {0.100f, 0.14f},
                           {0.060f, 0.06f},
                           {0.0f, 0.045f}},
-                         64, 54);
+                         56, 44);
     for (const float side : {-1.0f, 1.0f}) {
         const auto path = [side](float v) {
             const float a = glm::radians(glm::mix(-78.0f, 118.0f, v));
@@ -91,7 +91,7 @@ Shape bowl() {
                    {0.080f, 0.040f},
                    {0.045f, 0.020f},
                    {0.0f, 0.017f}},
-                  64, 22);
+                  56, 21);
 }
 
 Shape candle_stand() {
@@ -106,11 +106,11 @@ Shape candle_stand() {
                    {0.036f, 0.176f},
                    {0.034f, 0.182f},
                    {0.0f, 0.178f}},
-                  32, 22);
+                  28, 24);
 }
 
 Shape rainbow_knot() {
-    Shape knot = torus_knot(2, 3, 0.062f, 0.026f, 0.0155f, 144, 12);
+    Shape knot = torus_knot(2, 3, 0.062f, 0.026f, 0.0155f, 128, 10);
     knot.color_by([](const glm::vec3& p, const glm::vec2&) {
         const float turn = std::atan2(p.y, p.x);
         const auto wave = [&](float shift) { return 0.5f + 0.5f * std::cos(turn - shift); };
@@ -195,7 +195,7 @@ void write_still_life(const std::filesystem::path& folder) {
 
     scene.place("vase", vase(), p.lacquer, {{-0.04f, board_top_m, -0.06f}, {0, 1, 0}, glm::radians(-14.0f)});
     scene.place("bowl", bowl(), p.copper, {{-0.27f, board_top_m, 0.10f}});
-    const Shape egg = superellipsoid({0.031f, 0.040f, 0.031f}, 1.0f, 1.0f, 28, 14);
+    const Shape egg = superellipsoid({0.031f, 0.040f, 0.031f}, 1.0f, 1.0f, 24, 12);
     const int eggs = scene.mesh("egg", egg, p.porcelain);
     scene.node("egg in the bowl", eggs,
                {{-0.285f, board_top_m + 0.053f, 0.115f}, {0, 0, 1}, glm::radians(78.0f)});
@@ -203,15 +203,15 @@ void write_still_life(const std::filesystem::path& folder) {
                {{-0.095f, board_top_m + 0.031f, 0.205f},
                 glm::normalize(glm::vec3(0.4f, 0.0f, 0.9f)),
                 glm::radians(90.0f)});
-    scene.place("cushion", superellipsoid({0.12f, 0.042f, 0.10f}, 0.75f, 0.55f, 44, 20), p.velvet,
+    scene.place("cushion", superellipsoid({0.12f, 0.042f, 0.10f}, 0.75f, 0.55f, 36, 18), p.velvet,
                 {{0.235f, board_top_m + 0.041f, 0.085f}, {0, 1, 0}, glm::radians(-18.0f)});
     scene.place("knot", rainbow_knot(), p.plastic,
                 {{0.23f, board_top_m + 0.168f, 0.085f}, {0, 1, 0}, glm::radians(20.0f)});
-    scene.place("steel ball", sphere(0.034f, 40, 20), p.steel, {{0.045f, board_top_m + 0.034f, 0.185f}});
+    scene.place("steel ball", sphere(0.034f, 32, 16), p.steel, {{0.045f, board_top_m + 0.034f, 0.185f}});
     const glm::vec3 stand_at(-0.26f, board_top_m, -0.15f);
     const glm::vec3 globe_at = stand_at + glm::vec3(0.0f, 0.178f + globe_m, 0.0f);
     scene.place("stand", candle_stand(), p.steel, {stand_at});
-    scene.place("night light", sphere(globe_m, 32, 16), p.night_light, {globe_at});
+    scene.place("night light", sphere(globe_m, 28, 14), p.night_light, {globe_at});
     scene.place("glass pane", box({0.20f, 0.26f, 0.006f}), p.glass,
                 {{0.16f, board_top_m + 0.13f, -0.12f}, {0, 1, 0}, glm::radians(-24.0f)});
     scene.place("board", box({0.96f, 0.02f, 0.64f}), p.walnut, {{0.0f, 0.010f, 0.0f}});
