@@ -104,13 +104,13 @@ void write_lamps(const std::filesystem::path& folder) {
                 scene.material(simple_material("paper", glm::vec3(0.8f), 0.0f, 1.0f)));
     const int metal = scene.material(simple_material("steel", {0.56f, 0.57f, 0.58f}, 1.0f, 0.3f));
     const Shape post = turned({{0.0f, 0.0f},
-                               {0.08f, 0.0f},
-                               {0.08f, 0.02f},
-                               {0.02f, 0.05f},
-                               {0.015f, 0.3f},
-                               {0.03f, 0.33f},
-                               {0.03f, 0.39f},
-                               {0.0f, 0.42f}},
+                               {0.14f, 0.0f},
+                               {0.14f, 0.04f},
+                               {0.04f, 0.09f},
+                               {0.03f, 0.5f},
+                               {0.06f, 0.56f},
+                               {0.06f, 0.66f},
+                               {0.0f, 0.71f}},
                               32, 28);
     for (const float x : {-2.5f, 0.0f, 2.5f}) scene.place("post", post, metal, {{x + 0.5f, 0.0f, 0.5f}});
 
@@ -131,9 +131,9 @@ void write_lamps(const std::filesystem::path& folder) {
     for (const glm::vec3 at : {glm::vec3(-2.5f, 0, 0), glm::vec3(0, 0, 0), glm::vec3(2.5f, 0, 0),
                                glm::vec3(0.9f, 0, 0), glm::vec3(-2.5f, 0, 2.0f), glm::vec3(-6, 0, -4)})
         scene.meter(at, {0, 1, 0}, illuminance_lx(at));
-    scene.camera("main", {0.0f, 4.2f, 6.5f}, {0.0f, 0.0f, 0.3f}, 28.0f);
+    scene.camera("main", {0.0f, 3.2f, 5.6f}, {0.0f, 0.2f, 0.2f}, 32.0f);
     scene.save(folder / "lamps.glb");
-    write_stage(folder / "lamps.stage.json", {{"exposure", manual_exposure(4.0f, 1.0f / 15.0f, 400.0f)}});
+    write_stage(folder / "lamps.stage.json", {{"exposure", manual_exposure(4.0f, 1.0f / 15.0f, 800.0f)}});
 }
 
 }  // namespace candela::scenes

@@ -147,11 +147,11 @@ Shape torus_knot(int p, int q, float ring_m, float winding_m, float tube_m, std:
     const auto fp = static_cast<float>(p), fq = static_cast<float>(q);
     const auto outward = [=](float v) {
         const float turn = tau * fp * v, wind = tau * fq * v;
-        return glm::vec3(std::cos(wind) * std::cos(turn), std::sin(wind), -std::cos(wind) * std::sin(turn));
+        return glm::vec3(std::cos(wind) * std::cos(turn), std::cos(wind) * std::sin(turn), std::sin(wind));
     };
     const auto path = [=](float v) {
         const float turn = tau * fp * v;
-        return ring_m * glm::vec3(std::cos(turn), 0.0f, -std::sin(turn)) + winding_m * outward(v);
+        return ring_m * glm::vec3(std::cos(turn), std::sin(turn), 0.0f) + winding_m * outward(v);
     };
     return tube({sides, segments, true, true}, path, outward, [=](float) { return tube_m; });
 }

@@ -50,7 +50,7 @@ using Surface = std::function<glm::vec3(float u, float v)>;
                          const std::function<glm::vec3(float)>& reference,
                          const std::function<float(float)>& radius_m);
 
-/// Winds p times through and q times round a ring of this radius.
+/// Winds p times along and q times round a ring of this radius that stands in the XY plane.
 [[nodiscard]] Shape torus_knot(int p, int q, float ring_m, float winding_m, float tube_m,
                                std::uint32_t segments, std::uint32_t sides);
 

@@ -101,17 +101,18 @@ Panorama outdoor_sky(const SkySettings& settings) {
     const float scale = settings.sky_illuminance_lx / sky.illuminance_lx({0, 1, 0});
     const float ground_nit = settings.ground_albedo * settings.ground_illuminance_lx / pi;
     const glm::vec3 earth = glm::vec3(1.09f, 0.99f, 0.80f);  // warm grey of luminance 1
-    const float sun_nit = settings.sun_illuminance_lx / (pi * std::pow(std::sin(sun_radius_rad), 2.0f));
-    const Panorama rays = sky;
-    std::size_t i = 0;
-    for (std::uint32_t row = 0; row < sky.height; ++row) {
-        for (std::uint32_t column = 0; column < sky.width; ++column, ++i) {
-            const glm::vec3 d = rays.direction(column, row);
-            glm::vec3& texel = sky.luminance_nit[i];
-            texel = d.y > 0.0f ? scale * texel : ground_nit * earth;
-            if (glm::dot(d, settings.to_sun) > std::cos(sun_radius_rad))
-                texel += sun_nit * shading::rec709_from_daylight(5500.0f);
-        }
+    const auto in_sun = [&](const glm::vec3& d) {
+        return glm::dot(d, settings.to_sun) > std::cos(sun_radius_rad);
+    };
+    // Scaled by what its texels really cover, so that the disc gives exactly the illuminance asked for.
+    Panorama sun = paint_panorama([&](const glm::vec3& d) {
+        return in_sun(d) ? shading::rec709_from_daylight(5500.0f) : glm::vec3(0.0f);
+    });
+    const float sun_scale = settings.sun_illuminance_lx / sun.illuminance_lx(settings.to_sun);
+    for (std::uint32_t i = 0; i < sky.luminance_nit.size(); ++i) {
+        const float up = sky.direction(i % sky.width, i / sky.width).y;
+        sky.luminance_nit[i] = (up > 0.0f ? scale * sky.luminance_nit[i] : ground_nit * earth) +
+                               sun_scale * sun.luminance_nit[i];
     }
     return sky;
 }

@@ -206,7 +206,7 @@ void write_still_life(const std::filesystem::path& folder) {
     scene.place("cushion", superellipsoid({0.12f, 0.042f, 0.10f}, 0.75f, 0.55f, 36, 18), p.velvet,
                 {{0.235f, board_top_m + 0.041f, 0.085f}, {0, 1, 0}, glm::radians(-18.0f)});
     scene.place("knot", rainbow_knot(), p.plastic,
-                {{0.23f, board_top_m + 0.168f, 0.085f}, {0, 1, 0}, glm::radians(20.0f)});
+                {{0.23f, board_top_m + 0.177f, 0.085f}, {0, 1, 0}, glm::radians(-12.0f)});
     scene.place("steel ball", sphere(0.034f, 32, 16), p.steel, {{0.045f, board_top_m + 0.034f, 0.185f}});
     const glm::vec3 stand_at(-0.26f, board_top_m, -0.15f);
     const glm::vec3 globe_at = stand_at + glm::vec3(0.0f, 0.178f + globe_m, 0.0f);
