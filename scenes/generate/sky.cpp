@@ -119,9 +119,9 @@ Panorama outdoor_sky(const SkySettings& settings) {
 
 Panorama soft_box_studio(float illuminance_lx) {
     const SoftBox boxes[] = {
-        {glm::normalize(glm::vec3(-0.85f, 0.65f, 0.55f)), {0.45f, 0.6f}, 60.0f, 5500.0f},  // key, left front
+        {glm::normalize(glm::vec3(-0.85f, 0.65f, 0.55f)), {0.45f, 0.6f}, 70.0f, 5500.0f},  // key, left front
         {glm::normalize(glm::vec3(1.0f, 0.25f, 0.35f)), {0.2f, 0.8f}, 22.0f, 6500.0f},     // strip, right
-        {glm::normalize(glm::vec3(0.1f, 1.0f, -0.1f)), {0.7f, 0.4f}, 30.0f, 6000.0f},      // overhead
+        {glm::normalize(glm::vec3(0.1f, 1.0f, -0.1f)), {0.5f, 0.3f}, 30.0f, 6000.0f},      // overhead
         {glm::normalize(glm::vec3(0.55f, 0.45f, -0.9f)), {0.25f, 0.45f}, 40.0f, 7500.0f},  // rim, behind
     };
     Panorama studio = paint_panorama([&](const glm::vec3& d) {
