@@ -174,12 +174,11 @@ FN void evaluate_layered(Surface s, BsdfTechniques t, vec3 n, vec3 tangent, vec3
     specular = specular_fresnel(t, p.specular_f0, p.specular_f90, LoH) *
                base_specular_lobe(s, t, p, n, tangent, bitangent, v, l, h, NoL);
     if (max_component(s.sheen_color) > 0.0f) {
-        float alpha = sheen_alpha(s.sheen_perceptual_roughness);
         float kept =
             sheen_transmittance(s.sheen_color, sheen_directional_albedo(p.NoV, s.sheen_perceptual_roughness));
         diffuse = diffuse * kept;
-        specular = specular * kept +
-                   s.sheen_color * (D_Charlie(saturate(dot(n, h)), alpha) * V_Charlie(p.NoV, NoL, alpha));
+        specular = specular * kept + s.sheen_color * evaluate_sheen(p.NoV, NoL, saturate(dot(n, h)),
+                                                                    s.sheen_perceptual_roughness);
     }
     if (s.coat > 0.0f) {
         float kept = coat_transmittance(s.coat, max(dot(coat_n, v), 1.0e-4f));

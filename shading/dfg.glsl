@@ -20,6 +20,19 @@ FN vec2 dfg_uv(float NoV, float perceptual_roughness) {
     return clamp(vec2(NoV, perceptual_roughness), vec2(half_texel), vec2(1.0f - half_texel));
 }
 
+// Hammersley's points, moved so that their mean is the centre of the square: as quadrature, an order better.
+FN vec2 centred_hammersley(uint i, uint n) {
+    return hammersley(i, n) + vec2(0.5f / float(n));
+}
+
+// Quadrature point for sample_ggx_vndf with the view in the plane that halves the integrand, so that half a
+// turn of azimuth will do; u.y is spaced quadratically towards the flanks of the lobe, where masking changes
+// fastest and one point of equal weight would decide over 1/n of the energy. z: weight.
+FN vec3 vndf_point(uint i, uint n) {
+    vec2 u = centred_hammersley(i, n);
+    return vec3(0.5f * u.x, u.y * (2.0f - u.y), 2.0f * (1.0f - u.y));
+}
+
 // Scale of f0 and bias by f90 of GGX with height-correlated Smith, Frostbite equation 58: f0 x + f90 y is the
 // directional albedo with Schlick's Fresnel. Changed from Frostbite: visible normals are drawn instead of
 // all, so what is averaged, G2 / G1(v), stays within [0,1] at any angle. Error below 1e-3 with 1024 samples.
@@ -31,30 +44,37 @@ FN vec2 integrate_ggx_albedo(float NoV, float perceptual_roughness, uint sample_
     float root_v = smith_ggx_root(cosine, alpha);
     vec2 sum = vec2(0.0f);
     for (uint i = 0u; i < sample_count; ++i) {
-        vec3 h = sample_ggx_vndf(hammersley(i, sample_count), v, alpha);
+        vec3 u = vndf_point(i, sample_count);
+        vec3 h = sample_ggx_vndf(vec2(u.x, u.y), v, alpha);
         float VoH = saturate(dot(v, h));
         float NoL = 2.0f * VoH * h.z - cosine;
         if (NoL <= 0.0f) continue;
         float root_l = smith_ggx_root(NoL, alpha);
         float g2_over_g1 = NoL * (cosine + root_v) / (NoL * root_v + cosine * root_l);
         float fresnel = pow5(1.0f - VoH);
-        sum += vec2(1.0f - fresnel, fresnel) * g2_over_g1;
+        sum += vec2(1.0f - fresnel, fresnel) * (g2_over_g1 * u.z);
     }
     return sum / float(sample_count);
 }
 
-// Directional albedo of D_Charlie V_Charlie for white sheen.
+// Directional albedo of white sheen, evaluate_sheen, at most 1. A smooth sheen lights up within a band at
+// grazing angles: the cosine is spaced quadratically into it; the azimuth has vanishing weight at its ends,
+// which makes equidistant points converge an order faster.
 FN float integrate_sheen_albedo(float NoV, float sheen_perceptual_roughness, uint sample_count) {
     float alpha = sheen_alpha(sheen_perceptual_roughness);
     float cosine = clamp(NoV, 1.0e-4f, 1.0f);
     vec3 v = vec3(sqrt(1.0f - cosine * cosine), 0.0f, cosine);
     float sum = 0.0f;
     for (uint i = 0u; i < sample_count; ++i) {
-        vec3 l = sample_uniform_hemisphere(hammersley(i, sample_count));
-        float NoH = normalize(v + l).z;
-        sum += D_Charlie(NoH, alpha) * V_Charlie(cosine, l.z, alpha) * l.z;
+        vec2 u = centred_hammersley(i, sample_count);
+        float NoL = u.x * u.x;
+        float sine = sqrt(1.0f - NoL * NoL);
+        float phi = PI * u.y * u.y * (3.0f - 2.0f * u.y);
+        float jacobian = 2.0f * u.x * TWO_PI * 6.0f * u.y * (1.0f - u.y);
+        vec3 l = vec3(sine * cos(phi), sine * sin(phi), NoL);
+        sum += D_Charlie(normalize(v + l).z, alpha) * V_Charlie(cosine, NoL, alpha) * NoL * jacobian;
     }
-    return sum * TWO_PI / float(sample_count);
+    return min(sum / float(sample_count), 1.0f);
 }
 
 // One texel: x, y as integrate_ggx_albedo; z albedo of Fd_DisneyRenormalized (closed form); w albedo of white
@@ -74,13 +94,14 @@ FN vec2 integrate_ggx_albedo_ue4(float NoV, float perceptual_roughness, uint sam
     float k = k_image_based(alpha);
     vec2 sum = vec2(0.0f);
     for (uint i = 0u; i < sample_count; ++i) {
-        vec3 h = sample_ggx_vndf(hammersley(i, sample_count), v, alpha);
+        vec3 u = vndf_point(i, sample_count);
+        vec3 h = sample_ggx_vndf(vec2(u.x, u.y), v, alpha);
         float VoH = saturate(dot(v, h));
         float NoL = 2.0f * VoH * h.z - cosine;
         if (NoL <= 0.0f) continue;
         float weight = V_SchlickSmith(cosine, NoL, k) * 2.0f * NoL * (cosine + smith_ggx_root(cosine, alpha));
         float fresnel = pow5(1.0f - VoH);
-        sum += vec2(1.0f - fresnel, fresnel) * weight;
+        sum += vec2(1.0f - fresnel, fresnel) * (weight * u.z);
     }
     return sum / float(sample_count);
 }

@@ -44,12 +44,41 @@ FN float V_Charlie(float NoV, float NoL, float alpha) {
            max((1.0f + charlie_lambda(NoV, alpha) + charlie_lambda(NoL, alpha)) * 4.0f * NoV * NoL, 1.0e-7f);
 }
 
-// Directional albedo of D V for white sheen; FIT.
-FN float sheen_directional_albedo(float NoV, float sheen_perceptual_roughness) {
+// Directional albedo of D_Charlie V_Charlie: own fit to its quadrature for perceptual roughness 0.07 to 1 and
+// NoV 0.002 to 1, error at most 0.0035 (relative above 1). exp of a polynomial in roughness and in cube roots
+// of NoV, because the fit of Lambda has the power 0.2 of the cosine in it. It is above 1 where a smooth sheen
+// grazes: 2.9 at the worst.
+FN float charlie_albedo(float NoV, float sheen_perceptual_roughness) {
     float r = clamp(sheen_perceptual_roughness, kMinSheenPerceptualRoughness, 1.0f);
-    float c = 1.0f - NoV;
-    return saturate(0.65584461f * c * c * c +
-                    1.0f / (4.16526551f + exp(-7.97291361f * sqrt(r) + 6.33516894f)));
+    float x = clamp(NoV, 0.002f, 1.0f);
+    float root = pow(x, 1.0f / 3.0f);
+    float p0 =
+        ((((-3.607475f * r + 7.699121f) * r - 4.839626f) * r + 0.316953f) * r + 0.060223f) * r - 0.000266f;
+    float p1 =
+        ((((1.212921f * r - 5.710231f) * r + 7.981888f) * r - 0.794763f) * r + 0.722902f) * r - 0.026596f;
+    float p2 =
+        ((((0.247678f * r + 9.815656f) * r - 22.041098f) * r + 4.190720f) * r - 3.287924f) * r + 0.106536f;
+    float p3 =
+        ((((3.098705f * r - 21.312958f) * r + 36.227791f) * r - 12.907782f) * r + 3.717944f) * r - 0.138192f;
+    float p4 =
+        ((((-8.518498f * r + 35.766049f) * r - 50.099014f) * r + 23.821178f) * r - 4.619421f) * r - 0.018401f;
+    float p5 =
+        ((((7.573906f * r - 26.532972f) * r + 31.746247f) * r - 12.366993f) * r + 0.481881f) * r + 0.242419f;
+    float p = p0 + root * (p1 + root * p2) + x * (p3 + x * (p4 + x * p5));
+    return exp(p / (r * r));
+}
+
+// Directional albedo of the lobe below, for white sheen; at most 1.
+FN float sheen_directional_albedo(float NoV, float sheen_perceptual_roughness) {
+    return min(charlie_albedo(NoV, sheen_perceptual_roughness), 1.0f);
+}
+
+// The lobe for white sheen in 1/sr. Changed from Estevez & Kulla: where D V would reflect more than it
+// receives, it is scaled down to 1. Cosines in [0,1].
+FN float evaluate_sheen(float NoV, float NoL, float NoH, float sheen_perceptual_roughness) {
+    float alpha = sheen_alpha(sheen_perceptual_roughness);
+    return D_Charlie(NoH, alpha) * V_Charlie(NoV, NoL, alpha) /
+           max(charlie_albedo(NoV, sheen_perceptual_roughness), 1.0f);
 }
 
 // What is left for the layers below, so that they and the sheen stay within 1: KHR_materials_sheen, albedo
