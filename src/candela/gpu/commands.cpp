@@ -226,10 +226,6 @@ void Commands::begin_rendering(std::span<const ColorTarget> colors, const std::o
     VkExtent2D extent{};
     for (const ColorTarget& target : colors) {
         VkRenderingAttachmentInfo a{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-        if (!target.image) {
-            attachments.push_back(a);
-            continue;
-        }
         use(*target.image, Use::color_target);
         extent = target.image->extent();
         a.imageView = target.image->view();

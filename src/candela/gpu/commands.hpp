@@ -19,7 +19,7 @@ struct PassTime {
 };
 
 struct ColorTarget {
-    Image* image = nullptr;  ///< nullptr: the shader's output at this location goes nowhere
+    Image* image = nullptr;
     bool clear = false;
     std::array<std::uint32_t, 4> clear_bits{};  ///< raw bits of the four channels (integer or float targets)
 };

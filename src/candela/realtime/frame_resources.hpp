@@ -59,11 +59,12 @@ struct FrameResources {
     Profile profile;
     bool write_aovs = false;
     bool has_environment = false;
+    bool all_targets = false;  ///< the G-buffer pass also writes emission, layers and ids
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible
     gpu::Image gbuffer;
-    gpu::Image layers;  ///< 1 x 1 when no surface needs it
-    gpu::Image ids;     ///< 1 x 1 without AOVs
+    gpu::Image layers;  ///< 1 x 1 without all_targets
+    gpu::Image ids;     ///< 1 x 1 without all_targets
     gpu::Image depth;
     gpu::Image light;
     gpu::Buffer tiles;

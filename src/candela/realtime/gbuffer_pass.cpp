@@ -1,5 +1,6 @@
 #include "candela/realtime/gbuffer_pass.hpp"
 
+#include "candela_shaders/gbuffer_all_frag.hpp"
 #include "candela_shaders/gbuffer_frag.hpp"
 #include "candela_shaders/mesh_vert.hpp"
 
@@ -10,15 +11,13 @@ gpu::PipelineLayout make_layout(const gpu::Device& device) {
     return {device, {{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}, GpuScene::material_set_layout()}, 64}};
 }
 
-gpu::GraphicsDesc make_desc(const FrameResources& frame, const GpuScene& scene) {
+gpu::GraphicsDesc make_desc(const FrameResources& frame) {
     gpu::GraphicsDesc desc;
     desc.vertex = shaders::mesh_vert;
-    desc.fragment = shaders::gbuffer_frag;
+    desc.fragment = frame.all_targets ? shaders::gbuffer_all_frag : shaders::gbuffer_frag;
     describe_vertices(desc);
-    // Targets that this scene has no use for stay unbound and cost nothing.
-    desc.color_formats = {kGBufferFormat, scene.any_emissive ? kLightFormat : VK_FORMAT_UNDEFINED,
-                          scene.any_layered ? kGBufferFormat : VK_FORMAT_UNDEFINED,
-                          frame.write_aovs ? kIdFormat : VK_FORMAT_UNDEFINED};
+    desc.color_formats = {kGBufferFormat};
+    if (frame.all_targets) desc.color_formats = {kGBufferFormat, kLightFormat, kGBufferFormat, kIdFormat};
     desc.blends.assign(desc.color_formats.size(), gpu::Blend::off);
     desc.depth_format = kDepthFormat;
     return desc;
@@ -27,7 +26,7 @@ gpu::GraphicsDesc make_desc(const FrameResources& frame, const GpuScene& scene) 
 }  // namespace
 
 GBufferPass::GBufferPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene)
-    : pipelines_(device, make_layout(device), make_desc(frame, scene), {}) {
+    : pipelines_(device, make_layout(device), make_desc(frame), {}) {
     pipelines_.prepare(frame, scene, false);
 }
 
@@ -35,10 +34,10 @@ void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
     commands.begin_pass("gbuffer");
     const std::array bindings{gpu::bind_buffer(frame.frame_block)};
     const VkDescriptorSet set = commands.descriptors().allocate(pipelines_.layout(), 0, bindings);
-    const std::array targets{gpu::ColorTarget{&frame.gbuffer, true, {}},
-                             gpu::ColorTarget{scene.any_emissive ? &frame.light : nullptr, true, {}},
-                             gpu::ColorTarget{scene.any_layered ? &frame.layers : nullptr, true, {}},
-                             gpu::ColorTarget{frame.write_aovs ? &frame.ids : nullptr, true, {}}};
+    std::vector<gpu::ColorTarget> targets{{&frame.gbuffer, true, {}}};
+    if (frame.all_targets) {
+        for (gpu::Image* image : {&frame.light, &frame.layers, &frame.ids}) targets.push_back({image, true, {}});
+    }
     if (scene.vertices) {
         commands.use(scene.vertices, gpu::Use::vertex_input);
         commands.use(scene.indices, gpu::Use::vertex_input);

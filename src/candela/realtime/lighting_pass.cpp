@@ -14,6 +14,15 @@ gpu::LayoutDesc layout() {
     return {{types}, 0};
 }
 
+const char* pass_name(ShadingClass shading_class) {
+    switch (shading_class) {
+        case ShadingClass::background: return "background";
+        case ShadingClass::layered: return "lighting, layered";
+        case ShadingClass::unlit: return "unlit";
+        default: return "lighting";
+    }
+}
+
 }  // namespace
 
 LightingPass::LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene) {
@@ -56,6 +65,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
 
     for (const ClassPipeline& p : pipelines_) {
         const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
+        commands.begin_pass(pass_name(p.shading_class));
         commands.dispatch_indirect(p.pipeline, bindings, {}, frame.tiles, arguments);
     }
 }

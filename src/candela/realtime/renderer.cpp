@@ -28,6 +28,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.profile = options.profile;
     frame.write_aovs = options.aovs;
     frame.has_environment = scene.environment.has_value();
+    frame.all_targets = gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs;
 
     const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {
         return gpu::Image(device, {needed ? options.width : 1, needed ? options.height : 1, format,
@@ -35,8 +36,8 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     };
     constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     frame.gbuffer = image(kGBufferFormat, color, true);
-    frame.layers = image(kGBufferFormat, color, gpu_scene.any_layered);
-    frame.ids = image(kIdFormat, color, options.aovs);
+    frame.layers = image(kGBufferFormat, color, frame.all_targets);
+    frame.ids = image(kIdFormat, color, frame.all_targets);
     frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
     frame.light = image(kLightFormat, color | VK_IMAGE_USAGE_STORAGE_BIT, true);
     for (gpu::Image& aov : frame.aovs) aov = image(kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT, options.aovs);

@@ -1,0 +1,33 @@
+// The G-buffer pass's fragment shader. With GBUFFER_ALL_TARGETS it also writes emission, the second texel and the ids;
+// scenes that need none of them rasterize into one target.
+#include "frame.glsl"
+#include "material.glsl"
+
+layout(push_constant) uniform Push {
+    vec4 row0;
+    vec4 row1;
+    vec4 row2;
+    uvec4 ids;  // x instance + 1, y material + 1
+} object;
+
+layout(location = 0) out uvec4 out_gbuffer;
+#ifdef GBUFFER_ALL_TARGETS
+layout(location = 1) out vec4 out_light;
+layout(location = 2) out uvec4 out_layers;
+layout(location = 3) out uvec2 out_ids;
+#endif
+
+void main() {
+    vec4 base_alpha = base_color_and_alpha();
+    vec3 emissive_nit;
+    float facing = has(kDoubleSided) && !gl_FrontFacing ? -1.0 : 1.0;
+    GBuffer g = evaluate_material(base_alpha, facing, emissive_nit);
+    if (has(kAlphaMask) && base_alpha.a < material.emissive_nit.w) discard;
+    out_gbuffer = pack_gbuffer(g);
+#ifdef GBUFFER_ALL_TARGETS
+    // An unlit colour is display-referred: it shows as written whatever the exposure.
+    out_light = vec4(has(kUnlit) ? base_alpha.rgb : emissive_nit * frame.exposure.x, 1.0);
+    out_layers = has(kLayered) ? pack_layers(g) : uvec4(0u);
+    out_ids = object.ids.xy;
+#endif
+}
