@@ -59,6 +59,17 @@ Scope scope_of(Use use) {
     }
 }
 
+VkAttachmentLoadOp load_op(Load load) {
+    switch (load) {
+        case Load::clear:
+            return VK_ATTACHMENT_LOAD_OP_CLEAR;
+        case Load::discard:
+            return VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+        default:
+            return VK_ATTACHMENT_LOAD_OP_LOAD;
+    }
+}
+
 void depend(const Device& device, VkCommandBuffer buffer, const VkDependencyInfo& info) {
     device.vk.vkCmdPipelineBarrier2(buffer, &info);
 }
@@ -230,9 +241,8 @@ void Commands::begin_rendering(std::span<const ColorTarget> colors, const std::o
         extent = target.image->extent();
         a.imageView = target.image->view();
         a.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        a.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+        a.loadOp = load_op(target.load);
         a.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-        std::memcpy(&a.clearValue.color, target.clear_bits.data(), sizeof(target.clear_bits));
         attachments.push_back(a);
     }
     VkRenderingAttachmentInfo depth_attachment{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -241,7 +251,7 @@ void Commands::begin_rendering(std::span<const ColorTarget> colors, const std::o
         extent = depth->image->extent();
         depth_attachment.imageView = depth->image->view();
         depth_attachment.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-        depth_attachment.loadOp = depth->clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+        depth_attachment.loadOp = load_op(depth->load);
         depth_attachment.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     }
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};

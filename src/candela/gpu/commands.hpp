@@ -18,14 +18,16 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
+/// What a target holds before the first draw: what it held, zero, or nothing in particular.
+enum class Load : std::uint8_t { keep, clear, discard };
+
 struct ColorTarget {
     Image* image = nullptr;
-    bool clear = false;
-    std::array<std::uint32_t, 4> clear_bits{};  ///< raw bits of the four channels (integer or float targets)
+    Load load = Load::keep;
 };
 struct DepthTarget {
     Image* image = nullptr;
-    bool clear = false;
+    Load load = Load::keep;
 };
 
 /// Records one command buffer, puts the barriers between passes by itself, and times them: the one-frame

@@ -28,6 +28,7 @@ gpu::GraphicsDesc make_desc() {
 ShadeVariant variant(const GpuScene& scene) {
     ShadeVariant v;
     v.lights = scene.light_count > 0;
+    v.forward = true;
     return v;
 }
 

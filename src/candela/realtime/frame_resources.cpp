@@ -18,7 +18,8 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(frame.has_environment),
             bits(variant.shading_class),
             bits(variant.emissive),
-            bits(frame.write_aovs)};
+            bits(frame.write_aovs),
+            bits(variant.forward)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {

@@ -21,6 +21,9 @@ struct FrameBlock {
     glm::vec4 environment;
     glm::ivec4 size;
     glm::ivec4 tiles;
+    glm::vec4 background_ray;
+    glm::vec4 background_ray_dx;
+    glm::vec4 background_ray_dy;
 };
 
 /// Shading classes of shaders/gbuffer.glsl.
@@ -79,13 +82,14 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...13 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...14 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
     bool layers = false;
     bool lights = false;
     bool emissive = false;
+    bool forward = false;
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 

@@ -34,9 +34,12 @@ void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
     commands.begin_pass("gbuffer");
     const std::array bindings{gpu::bind_buffer(frame.frame_block)};
     const VkDescriptorSet set = commands.descriptors().allocate(pipelines_.layout(), 0, bindings);
-    std::vector<gpu::ColorTarget> targets{{&frame.gbuffer, true, {}}};
+    // Texels are read only where depth says that something was drawn; just the ids are shown everywhere.
+    std::vector<gpu::ColorTarget> targets{{&frame.gbuffer, gpu::Load::discard}};
     if (frame.all_targets) {
-        for (gpu::Image* image : {&frame.light, &frame.layers, &frame.ids}) targets.push_back({image, true, {}});
+        targets.push_back({&frame.light, gpu::Load::discard});
+        targets.push_back({&frame.layers, gpu::Load::discard});
+        targets.push_back({&frame.ids, gpu::Load::clear});
     }
     if (scene.vertices) {
         commands.use(scene.vertices, gpu::Use::vertex_input);
@@ -46,7 +49,7 @@ void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
     for (const Draw& draw : scene.draws) {
         if (!draw.blended) draws.push_back(&draw);
     }
-    commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth, true});
+    commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth, gpu::Load::clear});
     pipelines_.draw(commands, scene, draws, set);
     commands.end_rendering();
 }

@@ -16,10 +16,14 @@ gpu::LayoutDesc layout() {
 
 const char* pass_name(ShadingClass shading_class) {
     switch (shading_class) {
-        case ShadingClass::background: return "background";
-        case ShadingClass::layered: return "lighting, layered";
-        case ShadingClass::unlit: return "unlit";
-        default: return "lighting";
+        case ShadingClass::background:
+            return "background";
+        case ShadingClass::layered:
+            return "lighting, layered";
+        case ShadingClass::unlit:
+            return "unlit";
+        default:
+            return "lighting";
     }
 }
 

@@ -31,9 +31,9 @@ void MeteringPass::record(gpu::Commands& commands, FrameResources& frame) const 
     const std::array bindings{gpu::bind_buffer(frame.frame_block),
                               gpu::bind_sampled(frame.light.view(), frame.nearest.get()),
                               gpu::bind_buffer(histogram_)};
-    // About 60,000 pixels are plenty for an average, whatever the size of the picture.
+    // About 16,000 pixels are plenty for an average, whatever the size of the picture.
     const double pixels = static_cast<double>(frame.width) * frame.height;
-    const auto step = static_cast<std::int32_t>(std::max(1.0, std::floor(std::sqrt(pixels / 60000.0))));
+    const auto step = static_cast<std::int32_t>(std::max(1.0, std::floor(std::sqrt(pixels / 16000.0))));
     const auto ustep = static_cast<std::uint32_t>(step);
     const std::uint32_t count = groups(frame.width, ustep) * groups(frame.height, ustep);
     commands.dispatch(pipeline_, bindings, gpu::push(step), groups(count, 64));

@@ -15,9 +15,10 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, frame.size.xy))) return;
     uvec4 words = texelFetch(gbuffer_image, pixel, 0);
-    bool hit = gbuffer_class(words) != kClassBackground;
+    float depth = texelFetch(depth_image, pixel, 0).r;
+    bool hit = depth != 0.0;
     GBuffer g = unpack_gbuffer(words);
-    vec3 position = world_position(vec2(pixel) + 0.5, texelFetch(depth_image, pixel, 0).r);
+    vec3 position = world_position(vec2(pixel) + 0.5, depth);
     float z_m = dot(frame.camera_position.xyz - position, frame.camera_backward.xyz);
     imageStore(albedo_image, pixel, hit ? vec4(g.surface.base_color, 1.0) : vec4(0.0));
     imageStore(normal_image, pixel, hit ? vec4(g.normal, 1.0) : vec4(0.0));

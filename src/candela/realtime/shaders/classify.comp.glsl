@@ -6,8 +6,10 @@
 #include "gbuffer.glsl"
 
 layout(local_size_x = 64) in;
+layout(constant_id = 0) const bool kOneClass = false;  // every surface is of the standard class: depth tells enough
 layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
-layout(set = 0, binding = 2, std430) buffer Tiles {
+layout(set = 0, binding = 2) uniform sampler2D depth_image;
+layout(set = 0, binding = 3, std430) buffer Tiles {
     uvec4 dispatch[kClassCount];  // x = tiles in the list, y = z = 1
     uint list[];                  // kClassCount lists of tiles.z entries: x | y << 16
 } tiles;
@@ -19,7 +21,12 @@ void main() {
     uint classes = 0u;
     for (int i = 0; i < 64; ++i) {
         ivec2 pixel = min(tile * 8 + ivec2(i & 7, i >> 3), frame.size.xy - 1);
-        classes |= 1u << gbuffer_class(texelFetch(gbuffer_image, pixel, 0));
+        float depth = texelFetch(depth_image, pixel, 0).r;
+        if (kOneClass) {
+            classes |= depth == 0.0 ? 1u << kClassBackground : 1u << kClassStandard;
+        } else {
+            classes |= 1u << shading_class(depth, texelFetch(gbuffer_image, pixel, 0));
+        }
     }
     for (uint c = 0u; c < kClassCount; ++c) {
         if ((classes & (1u << c)) == 0u) continue;

@@ -11,6 +11,9 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 environment;       // x cos, y sin of the rotation about +Y, z nit per texel unit, w 1 = drawn as background
     ivec4 size;             // x, y pixels; z lights; w levels of the specular map
     ivec4 tiles;            // x, y tiles; z tiles in a class list; w unused
+    vec4 background_ray;    // direction through pixel (0, 0), in the environment's frame, any length
+    vec4 background_ray_dx; // its change per pixel
+    vec4 background_ray_dy;
 } frame;
 
 vec3 world_position(vec2 pixel, float depth) {
@@ -28,6 +31,12 @@ vec3 to_environment(vec3 d) {
     float c = frame.environment.x;
     float s = frame.environment.y;
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
+}
+
+// Unnormalised, in the environment's frame: linear in the pixel, so that the sky costs no matrix and no square root.
+vec3 background_direction(ivec2 pixel) {
+    return frame.background_ray.xyz + float(pixel.x) * frame.background_ray_dx.xyz +
+           float(pixel.y) * frame.background_ray_dy.xyz;
 }
 
 #endif

@@ -25,7 +25,8 @@ uint unorm(float x, uint bits) { return uint(clamp(x, 0.0, 1.0) * float((1u << b
 float from_unorm(uint x, uint bits) { return float(x) / float((1u << bits) - 1u); }
 uint bits(uint word, int first, int count) { return bitfieldExtract(word, first, count); }
 
-uint gbuffer_class(uvec4 g) { return g.z >> 28u; }
+// Depth 0 is infinitely far (depth is reversed): nothing was drawn there, and the texel holds what an earlier frame left.
+uint shading_class(float depth, uvec4 g) { return depth == 0.0 ? kClassBackground : g.z >> 28u; }
 
 // 10 bits a channel at gamma 2: steps of 0.1 % at mid grey, finer where it is dark.
 uint pack_color10(vec3 c) {
@@ -67,7 +68,7 @@ uvec4 pack_layers(GBuffer g) {
 
 GBuffer unpack_gbuffer(uvec4 w) {
     GBuffer g;
-    g.shading_class = gbuffer_class(w);
+    g.shading_class = w.z >> 28u;
     g.normal = octahedral_decode(unpackSnorm2x16(w.x));
     g.surface.base_color = unpack_color10(w.y);
     g.surface.perceptual_roughness = from_unorm(bits(w.z, 0, 12), 12u);

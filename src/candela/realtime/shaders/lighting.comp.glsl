@@ -38,20 +38,22 @@ void main() {
     uint tile = tiles.list[kShadingClass * uint(frame.tiles.z) + gl_WorkGroupID.x];
     ivec2 pixel = ivec2(tile & 0xffffu, tile >> 16u) * 8 + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(pixel, frame.size.xy))) return;
-    uvec4 words = texelFetch(gbuffer_image, pixel, 0);
-    if (gbuffer_class(words) != kShadingClass) return;
+    float depth = texelFetch(depth_image, pixel, 0).r;
 
     if (kShadingClass == kClassBackground) {
+        if (depth != 0.0) return;
         vec3 luminance_nit = vec3(0.0);
         if (kHasEnvironment) {
-            vec3 far = world_position(vec2(pixel) + 0.5, 0.5);
-            luminance_nit = sample_background(background_map, to_environment(-view_direction(far))) *
+            luminance_nit = sample_background(background_map, background_direction(pixel)) *
                             (frame.environment.z * frame.environment.w);
         }
         imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(65504.0)), 1.0));
         if (kWriteAovs) write_aovs(pixel, kUnlitSurface, vec3(0.0));
         return;
     }
+
+    uvec4 words = texelFetch(gbuffer_image, pixel, 0);
+    if (shading_class(depth, words) != kShadingClass) return;
 
     if (kShadingClass == kClassUnlit) {
         if (kWriteAovs) write_aovs(pixel, kUnlitSurface, vec3(0.0));
@@ -60,7 +62,7 @@ void main() {
 
     GBuffer g = unpack_gbuffer(words);
     if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
-    vec3 position = world_position(vec2(pixel) + 0.5, texelFetch(depth_image, pixel, 0).r);
+    vec3 position = world_position(vec2(pixel) + 0.5, depth);
     Lit lit = shade(g, position, view_direction(position));
     vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
     vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "features.glsl"
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;
@@ -36,9 +37,11 @@ void main() {
     vec3 n = vec3(dot(c0, normal.xyz), dot(c1, normal.xyz), dot(c2, normal.xyz)) * handedness;
     vec3 t = vec3(dot(object.row0.xyz, tangent.xyz), dot(object.row1.xyz, tangent.xyz), dot(object.row2.xyz, tangent.xyz));
     out_normal = n * inversesqrt(max(dot(n, n), 1e-30));
-    out_tangent = vec4(t * inversesqrt(max(dot(t, t), 1e-30)), tangent.w * handedness);
-    out_uv = vec4(uv0, uv1);
-    out_color = color;
-    out_position = world;
+    // What the fragment shader of this variant does not read is not worth computing for every vertex.
+    bool tangents = has(kNormalTexture | kClearcoatNormalTexture | kLayered);
+    out_tangent = tangents ? vec4(t * inversesqrt(max(dot(t, t), 1e-30)), tangent.w * handedness) : vec4(0.0);
+    out_uv = has(kAnyTexture) ? vec4(uv0, uv1) : vec4(0.0);
+    out_color = has(kVertexColor) ? color : vec4(0.0);
+    out_position = kForward ? world : vec3(0.0);
     gl_Position = frame.world_to_clip * vec4(world, 1.0);
 }
