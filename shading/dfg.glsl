@@ -14,10 +14,19 @@ CANDELA_SHADING_BEGIN
 // Texels a side.
 CONSTANT int kDfgSize = 64;
 
-// Texture coordinates: u = NoV, v = perceptual roughness, kept within the outer texel centres.
+// Texture coordinates: sqrt(NoV) and perceptual roughness, 0 and 1 at the centres of the outer texels. The
+// root is for smooth metals at grazing angles: with NoV itself, bilinear reading is off by 3 % there instead
+// of 0.4 %.
 FN vec2 dfg_uv(float NoV, float perceptual_roughness) {
-    float half_texel = 0.5f / float(kDfgSize);
-    return clamp(vec2(NoV, perceptual_roughness), vec2(half_texel), vec2(1.0f - half_texel));
+    float size = float(kDfgSize);
+    vec2 at = vec2(sqrt(saturate(NoV)), saturate(perceptual_roughness));
+    return at * ((size - 1.0f) / size) + vec2(0.5f / size);
+}
+
+// NoV and perceptual roughness that texel (x, y) stands for: the inverse of dfg_uv at texel centres.
+FN vec2 dfg_parameters(uint x, uint y) {
+    vec2 at = vec2(float(x), float(y)) / float(kDfgSize - 1);
+    return vec2(at.x * at.x, at.y);
 }
 
 // Hammersley's points, moved so that their mean is the centre of the square: as quadrature, an order better.
