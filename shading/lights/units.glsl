@@ -49,8 +49,10 @@ FN float spot_lm_from_cd_smooth(float intensity_cd, float inner_cone_rad, float 
 
 // Solid angle in sr of a rectangular pyramid with full opening angles angle_a_rad and angle_b_rad, each in
 // (0, pi].
+// The arc sine of Table 9 is taken as an arc tangent, for drivers whose asin is good to 1e-3 only (Mesa's).
 FN float frustum_solid_angle(float angle_a_rad, float angle_b_rad) {
-    return 4.0f * asin(sin(0.5f * angle_a_rad) * sin(0.5f * angle_b_rad));
+    float s = sin(0.5f * angle_a_rad) * sin(0.5f * angle_b_rad);
+    return 4.0f * atan(s, sqrt(max(1.0f - s * s, 0.0f)));
 }
 
 // Table 9, frustum.
