@@ -24,7 +24,7 @@ FN float alpha_filtered(float alpha, vec3 dndx, vec3 dndy) {
 // the length, Banerjee et al. 2005; variance 1 / (2 kappa)). A length of 1 or more leaves alpha as it is.
 FN float alpha_from_average_normal(float alpha, float average_length) {
     float length2 = average_length * average_length;
-    float one_minus = max(1.0f - length2, 0.0f);
+    float one_minus = max((1.0f - average_length) * (1.0f + average_length), 0.0f);
     float variance = one_minus / (2.0f * average_length * (3.0f - length2));
     return average_length > 0.0f ? sqrt(saturate(alpha * alpha + variance)) : 1.0f;
 }

@@ -45,7 +45,10 @@ FN vec3 F_ConductorExact(float cos_i, vec3 eta, vec3 k) {
     float sin2 = 1.0f - cos2;
     vec3 real_part = eta * eta - k * k - vec3(sin2);
     vec3 modulus = sqrt(real_part * real_part + 4.0f * eta * eta * k * k);
-    vec3 a_twice = 2.0f * cos_i * sqrt(max(0.5f * (modulus + real_part), vec3(0.0f)));
+    // Of a and b the larger one from the sum, the smaller from a b = eta k: the difference would cancel.
+    vec3 larger = sqrt(max(0.5f * (modulus + abs(real_part)), vec3(1.0e-20f)));
+    vec3 a = mix(eta * k / larger, larger, step(vec3(0.0f), real_part));
+    vec3 a_twice = 2.0f * cos_i * a;
     vec3 s = modulus + vec3(cos2);
     vec3 perpendicular = (s - a_twice) / (s + a_twice);
     vec3 p = cos2 * modulus + vec3(sin2 * sin2);
