@@ -87,8 +87,10 @@ FN vec4 case_punctual_units(NUMBERS) {
     float half_angle = between(0.01f, PI, u[0]);
     return vec4(point_cd_from_lm(u[1]) / spot_cd_from_lm(u[1] + 0.1f),
                 spot_cd_from_lm_exact(1.0f, half_angle) * cone_solid_angle(between(0.01f, PI, u[2])),
-                spot_lm_from_cd_smooth(1.0f, 0.5f * u[3], 0.5f + u[4]),
-                frustum_cd_from_lm(1.0f, between(0.1f, PI, u[5]), between(0.1f, 3.0f, u[6])));
+                spot_lm_from_cd_smooth(1.0f, 0.5f * u[3], 0.5f + u[4]), 1.0f);
+}
+FN vec4 case_frustum(NUMBERS) {
+    return vec4(frustum_cd_from_lm(1.0f, between(0.1f, PI, u[5]), between(0.1f, 3.0f, u[6])));
 }
 FN vec4 case_area_units(NUMBERS) {
     float radius = between(0.01f, 1.0f, u[0]);
@@ -123,7 +125,7 @@ CANDELA_SHADING_END
 
 // Digits are lost: by AgX in log2 times the steep sigmoid; by the temperatures in the exponential of Planck's
 // law and in the small differences of the matrix; by the spot in the difference of two cosines; by the
-// environment in the driver's arc tangent (1e-6 rad), next to small uv.
+// frustum and the environment in the arc tangent of the driver (1e-6 rad, next to small results).
 #define PHOTOMETRY_CASES(X)           \
     X(case_tone_none, 1e-6f)          \
     X(case_tone_aces, 1e-5f)          \
@@ -140,6 +142,7 @@ CANDELA_SHADING_END
     X(case_sensor, 1e-5f)             \
     X(case_units, 1e-5f)              \
     X(case_punctual_units, 1e-5f)     \
+    X(case_frustum, 5e-5f)            \
     X(case_area_units, 1e-5f)         \
     X(case_punctual, 2e-5f)           \
     X(case_no_range, 1e-6f)           \
