@@ -79,7 +79,9 @@ std::map<std::string, io::ExrAttribute> exr_attributes(const Job& job, const rea
                                               {"candela/device", info.device},
                                               {"candela/ev100", still.ev100},
                                               {"candela/exposure", still.exposure},
-                                              {"candela/samples", std::to_string(info.samples)}};
+                                              {"candela/samples", std::to_string(info.samples)},
+                                              {"candela/seed", std::to_string(info.seed)},
+                                              {"candela/camera", job.camera.name}};
     if (job.exposure.aperture_f) a["aperture"] = *job.exposure.aperture_f;
     if (job.exposure.shutter_s) a["expTime"] = *job.exposure.shutter_s;
     if (job.exposure.iso) a["isoSpeed"] = *job.exposure.iso;

@@ -8,8 +8,6 @@
 
 namespace candela::app {
 
-enum class ExrType { half, float32 };
-
 struct PictureFileOptions {
     std::vector<std::string> outputs;
     int png_bits = 8;
@@ -25,8 +23,8 @@ void check_outputs(const PictureFileOptions& options);
 
 struct PictureInfo {
     std::string device;
-    std::string scene_file;
     std::uint32_t samples = 1;
+    std::uint32_t seed = 0;
 };
 
 /// Writes every output. PNG is display-referred (exposure, tone curve, sRGB); EXR is luminance in cd/m^2.

@@ -62,7 +62,7 @@ int render(RenderOptions options) {
         job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
     }
     const auto write = std::chrono::steady_clock::now();
-    write_pictures(options.files, job, still, {device_text, options.job.scene_file, options.samples});
+    write_pictures(options.files, job, still, {device_text, options.samples, options.job.seed});
     const double write_s = seconds_since(write);
 
     print_warnings(job.diagnostics);

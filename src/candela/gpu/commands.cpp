@@ -306,6 +306,17 @@ void Commands::copy(Image& from, Buffer& to, std::uint32_t level) {
                                        to.handle(), 1, &region);
 }
 
+void Commands::copy_level(Image& from, Image& to, std::uint32_t level) {
+    use(from, Use::transfer_source);
+    use(to, Use::transfer_destination);
+    VkImageCopy region{};
+    region.srcSubresource = {from.aspect(), level, 0, 1};
+    region.dstSubresource = {to.aspect(), level, 0, 1};
+    region.extent = {std::max(1u, from.desc().width >> level), std::max(1u, from.desc().height >> level), 1};
+    device_->vk.vkCmdCopyImage(buffer_, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 void Commands::fill(Buffer& buffer, std::uint32_t word) {
     use(buffer, Use::transfer_destination);
     device_->vk.vkCmdFillBuffer(buffer_, buffer.handle(), 0, VK_WHOLE_SIZE, word);

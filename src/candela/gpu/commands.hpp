@@ -61,6 +61,8 @@ class Commands {
     void copy(Buffer& from, Buffer& to, VkDeviceSize bytes, VkDeviceSize from_offset = 0);
     void copy(Buffer& from, Image& to, std::uint32_t level = 0, VkDeviceSize from_offset = 0);
     void copy(Image& from, Buffer& to, std::uint32_t level = 0);
+    /// Copies one mip level between images of the same size and format.
+    void copy_level(Image& from, Image& to, std::uint32_t level);
     void fill(Buffer& buffer, std::uint32_t word);
 
     [[nodiscard]] VkCommandBuffer handle() const noexcept { return buffer_; }

@@ -1,0 +1,144 @@
+#include "candela/bake/environment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "candela/bake/octahedral_map.hpp"
+#include "candela_shaders/prefilter_comp.hpp"
+#include "shading/environment.glsl"
+
+namespace candela::bake {
+namespace {
+
+// Of shaders/environment_maps.glsl.
+constexpr std::uint32_t kSpecularSize = 512;
+constexpr std::uint32_t kSpecularLevels = 6;
+constexpr std::uint32_t kIrradianceSize = 32;
+/// Coarsest source level: 4 texels a side, of which 2 are gutters.
+constexpr std::uint32_t kSourceLevels = 8;
+/// Source level that irradiance is summed from: 62 texels a side.
+constexpr std::uint32_t kIrradianceSource = 3;
+
+constexpr VkFormat kFloat4 = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+/// Push constants of shaders/prefilter.comp.glsl.
+struct PrefilterBlock {
+    std::int32_t size;
+    std::int32_t sample_count;
+    float alpha;
+    float source_size;
+    float source_levels;
+};
+
+float peak_of(const scene::Environment& e) {
+    float peak = 0.0f;
+    for (const glm::vec3& t : e.luminance_nit) peak = std::max(peak, std::max(t.x, std::max(t.y, t.z)));
+    return peak * e.scale;
+}
+
+/// Levels of RGBA32F texels, finest first, as one image.
+gpu::Image upload_levels(const gpu::Device& device, gpu::Commands& commands, std::uint32_t width,
+                         std::uint32_t height, const std::vector<std::span<const glm::vec4>>& levels) {
+    std::size_t bytes = 0;
+    for (const auto& level : levels) bytes += level.size_bytes();
+    gpu::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
+    gpu::Image image(device, {width, height, kFloat4, VK_IMAGE_USAGE_SAMPLED_BIT,
+                              static_cast<std::uint32_t>(levels.size())});
+    commands.begin();
+    std::size_t offset = 0;
+    for (std::uint32_t level = 0; level < levels.size(); ++level) {
+        std::memcpy(staging.mapped() + offset, levels[level].data(), levels[level].size_bytes());
+        commands.copy(staging, image, level, offset);
+        offset += levels[level].size_bytes();
+    }
+    commands.use(image, gpu::Use::sampled);
+    commands.submit_and_wait();
+    return image;
+}
+
+gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands, const scene::Environment& e,
+                             float units_per_nit) {
+    std::vector<glm::vec4> texels(e.luminance_nit.size());
+    std::transform(e.luminance_nit.begin(), e.luminance_nit.end(), texels.begin(),
+                   [&](const glm::vec3& t) { return glm::vec4(t * units_per_nit, 1.0f); });
+    return upload_levels(device, commands, e.width, e.height, {texels});
+}
+
+/// Smooth levels are large and narrow: few samples; rough ones small and wide.
+std::int32_t sample_count(std::uint32_t level) {
+    return level == 0 ? 1 : std::min(64 << (level - 1), 256);
+}
+
+gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Image& source) {
+    gpu::Image specular(device, {kSpecularSize, kSpecularSize, kFloat4,
+                                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT, kSpecularLevels});
+    const gpu::ComputePipeline pipeline = gpu::create_compute_pipeline(
+        device, shaders::prefilter_comp,
+        {{{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
+         sizeof(PrefilterBlock)});
+    const gpu::Owned<VkSampler> sampler = gpu::create_sampler(device, {});
+    commands.begin();
+    commands.begin_pass("prefilter");
+    commands.use(source, gpu::Use::sampled);
+    commands.use(specular, gpu::Use::storage_write);
+    for (std::uint32_t level = 1; level < kSpecularLevels; ++level) {
+        const float perceptual_roughness =
+            static_cast<float>(level) / static_cast<float>(kSpecularLevels - 1);
+        const std::uint32_t size = kSpecularSize >> level;
+        const PrefilterBlock block{static_cast<std::int32_t>(size), sample_count(level),
+                                   perceptual_roughness * perceptual_roughness,
+                                   static_cast<float>(kSpecularSize), static_cast<float>(kSourceLevels)};
+        const std::array bindings{gpu::bind_sampled(source.view(), sampler.get()),
+                                  gpu::bind_storage(specular.mip_view(level))};
+        commands.dispatch(pipeline, bindings, gpu::push(block), (size + 7) / 8, (size + 7) / 8);
+    }
+    commands.copy_level(source, specular, 0);
+    commands.use(specular, gpu::Use::sampled);
+    commands.submit_and_wait();
+    return specular;
+}
+
+}  // namespace
+
+EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
+                                      const scene::Environment& e) {
+    EnvironmentMaps maps;
+    maps.specular_levels = kSpecularLevels;
+    // Scaled so that the brightest texel is far from float's end when it is squared or summed on the way.
+    const float peak_nit = peak_of(e);
+    maps.nit_per_unit = peak_nit > 60000.0f ? peak_nit / 60000.0f : 1.0f;
+    const float units_per_nit = e.scale / maps.nit_per_unit;
+    maps.background = upload_background(device, commands, e, units_per_nit);
+
+    std::vector<OctahedralMap> source{from_equirect(e, units_per_nit, kSpecularSize)};
+    while (source.size() < kSourceLevels) source.push_back(halve(source.back()));
+    std::vector<std::span<const glm::vec4>> levels;
+    for (const OctahedralMap& level : source) levels.emplace_back(level.texels);
+    gpu::Image source_image = upload_levels(device, commands, kSpecularSize, kSpecularSize, levels);
+    maps.specular = prefilter(device, commands, source_image);
+
+    const OctahedralMap irradiance = irradiance_over_pi(source[kIrradianceSource], kIrradianceSize);
+    maps.irradiance = upload_levels(device, commands, kIrradianceSize, kIrradianceSize, {irradiance.texels});
+    return maps;
+}
+
+float upward_illuminance_lx(const scene::Environment& e) {
+    double sum = 0.0;
+    for (std::uint32_t y = 0; y < e.height; ++y) {
+        // Exact over a row: the integral of cos(theta) sin(theta) between its edges, above the horizon.
+        const double top = std::min(0.5 * M_PI, M_PI * y / e.height);
+        const double bottom = std::min(0.5 * M_PI, M_PI * (y + 1.0) / e.height);
+        const double weight =
+            0.5 * (std::pow(std::sin(bottom), 2) - std::pow(std::sin(top), 2)) * 2.0 * M_PI / e.width;
+        double row = 0.0;
+        for (std::uint32_t x = 0; x < e.width; ++x) {
+            row += shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]);
+        }
+        sum += weight * row;
+    }
+    return static_cast<float>(sum * static_cast<double>(e.scale));
+}
+
+}  // namespace candela::bake
