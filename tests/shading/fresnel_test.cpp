@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
+
 namespace candela::shading {
 namespace {
 
@@ -39,6 +41,23 @@ TEST(Fresnel, ConductorHasItsKnownNormalReflectance) {
             (square(eta[i] - 1.0f) + square(k[i])) / (square(eta[i] + 1.0f) + square(k[i]));
         EXPECT_NEAR(F_ConductorExact(1.0f, eta, k)[i], expected, 1e-5f);
         EXPECT_NEAR(F_ConductorExact(0.0f, eta, k)[i], 1.0f, 1e-5f);
+    }
+}
+
+TEST(Fresnel, ConductorIsTheComplexAmplitudesSquared) {
+    for (float cos_i = 0.05f; cos_i <= 1.0f; cos_i += 0.19f) {
+        for (const float eta : {0.05f, 0.5f, 1.2f, 3.0f}) {
+            for (const float k : {0.1f, 0.9f, 2.0f, 6.0f}) {
+                const std::complex<double> n(eta, k);
+                const double c = cos_i;
+                const std::complex<double> root = std::sqrt(n * n - (1.0 - c * c));
+                const double perpendicular = std::norm((c - root) / (c + root));
+                const double parallel = std::norm((n * n * c - root) / (n * n * c + root));
+                EXPECT_NEAR(F_ConductorExact(cos_i, vec3(eta), vec3(k)).x, 0.5 * (perpendicular + parallel),
+                            2e-6)
+                    << cos_i << ' ' << eta << ' ' << k;
+            }
+        }
     }
 }
 

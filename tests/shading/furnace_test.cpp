@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "directions.hpp"
 #include "shading/dfg.glsl"
@@ -84,6 +85,17 @@ TEST(Furnace, CompensatedDielectricOverWhiteDiffuseReturnsEverything) {
             const double e = furnace(white_dielectric(roughness), techniques_best(), NoV, dfg);
             EXPECT_NEAR(e, 1.0, 0.01) << where(roughness, NoV);
             EXPECT_LE(e, 1.005) << where(roughness, NoV);
+        }
+    }
+}
+
+TEST(Furnace, CompensatedDielectricOfHighReflectanceReturnsEverything) {
+    for (const float roughness : {0.2f, 0.6f, 1.0f}) {
+        for (const float NoV : kCosines) {
+            Surface s = white_dielectric(roughness);
+            s.dielectric_f0 = vec3(0.5f);
+            const vec4 dfg = integrate_dfg(NoV, roughness, 1024);
+            EXPECT_NEAR(furnace(s, techniques_best(), NoV, dfg), 1.0, 0.005) << where(roughness, NoV);
         }
     }
 }
