@@ -21,9 +21,9 @@ struct FrameBlock {
     glm::vec4 environment;
     glm::ivec4 size;
     glm::ivec4 tiles;
-    glm::vec4 background_ray;
-    glm::vec4 background_ray_dx;
-    glm::vec4 background_ray_dy;
+    glm::vec4 ray;
+    glm::vec4 ray_dx;
+    glm::vec4 ray_dy;
 };
 
 /// Shading classes of shaders/gbuffer.glsl.

@@ -12,7 +12,6 @@
 #include "candela/realtime/gbuffer_pass.hpp"
 #include "candela/realtime/lighting_pass.hpp"
 #include "candela/realtime/metering.hpp"
-#include "shading/environment.glsl"
 #include "shading/exposure.glsl"
 #include "shading/sequence.glsl"
 
@@ -66,23 +65,22 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     return frame;
 }
 
-/// The rays behind the picture, linear in the pixel, turned into the environment's frame.
-void write_background_rays(FrameBlock& block, const glm::vec2& size, float rotation_rad) {
+/// Rays from the camera through the picture, linear in the pixel.
+void write_rays(FrameBlock& block, const glm::vec2& size) {
+    const glm::vec3 backward(block.camera_backward);
+    const glm::dmat4 clip_to_world = glm::inverse(glm::dmat4(block.world_to_clip));
     const auto through = [&](float x, float y) {
-        if (block.camera_position.w < 0.5f)
-            return shading::rotate_about_y(-glm::vec3(block.camera_backward), -rotation_rad);
-        const glm::vec4 clip(x / size.x * 2.0f - 1.0f, y / size.y * 2.0f - 1.0f, 0.5f, 1.0f);
-        const glm::dvec4 p = glm::inverse(glm::dmat4(block.world_to_clip)) * glm::dvec4(clip);
-        const glm::vec3 ray = glm::vec3(glm::dvec3(p) / p.w - glm::dvec3(block.camera_position));
-        // At equal distance along the axis the rays of a plane of pixels differ linearly.
-        return shading::rotate_about_y(ray / -glm::dot(ray, glm::vec3(block.camera_backward)), -rotation_rad);
+        if (block.camera_position.w < 0.5f) return -backward;
+        const glm::dvec4 clip(x / size.x * 2.0f - 1.0f, y / size.y * 2.0f - 1.0f, 0.5, 1.0);
+        const glm::dvec4 p = clip_to_world * clip;
+        const glm::vec3 ray(glm::dvec3(p) / p.w - glm::dvec3(block.camera_position));
+        // Only rays that end on one plane differ linearly from pixel to pixel.
+        return ray / -glm::dot(ray, backward);
     };
     const glm::vec3 origin = through(0.5f, 0.5f);
-    block.background_ray = glm::vec4(origin, 0.0f);
-    block.background_ray_dx =
-        glm::vec4((through(size.x - 0.5f, 0.5f) - origin) / std::max(size.x - 1.0f, 1.0f), 0.0f);
-    block.background_ray_dy =
-        glm::vec4((through(0.5f, size.y - 0.5f) - origin) / std::max(size.y - 1.0f, 1.0f), 0.0f);
+    block.ray = glm::vec4(origin, 0.0f);
+    block.ray_dx = glm::vec4((through(size.x - 0.5f, 0.5f) - origin) / std::max(size.x - 1.0f, 1.0f), 0.0f);
+    block.ray_dy = glm::vec4((through(0.5f, size.y - 0.5f) - origin) / std::max(size.y - 1.0f, 1.0f), 0.0f);
 }
 
 }  // namespace
@@ -155,7 +153,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     block.size =
         glm::ivec4(frame.width, frame.height, gpu_scene.light_count, frame.environment.specular_levels);
     block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
-    write_background_rays(block, glm::vec2(frame.width, frame.height), environment_rotation_rad);
+    write_rays(block, glm::vec2(frame.width, frame.height));
     std::memcpy(frame.frame_block.mapped(), &block, sizeof(block));
 }
 

@@ -11,9 +11,9 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 environment;       // x cos, y sin of the rotation about +Y, z nit per texel unit, w 1 = drawn as background
     ivec4 size;             // x, y pixels; z lights; w levels of the specular map
     ivec4 tiles;            // x, y tiles; z tiles in a class list; w unused
-    vec4 background_ray;    // direction through pixel (0, 0), in the environment's frame, any length
-    vec4 background_ray_dx; // its change per pixel
-    vec4 background_ray_dy;
+    vec4 ray;               // world direction through pixel (0, 0), any length
+    vec4 ray_dx;            // its change per pixel
+    vec4 ray_dy;
 } frame;
 
 vec3 world_position(vec2 pixel, float depth) {
@@ -33,10 +33,9 @@ vec3 to_environment(vec3 d) {
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
 
-// Unnormalised, in the environment's frame: linear in the pixel, so that the sky costs no matrix and no square root.
-vec3 background_direction(ivec2 pixel) {
-    return frame.background_ray.xyz + float(pixel.x) * frame.background_ray_dx.xyz +
-           float(pixel.y) * frame.background_ray_dy.xyz;
+// From the camera through a pixel, unnormalised: linear in the pixel, so that it costs no matrix and no division.
+vec3 pixel_ray(ivec2 pixel) {
+    return frame.ray.xyz + float(pixel.x) * frame.ray_dx.xyz + float(pixel.y) * frame.ray_dy.xyz;
 }
 
 #endif

@@ -44,7 +44,7 @@ void main() {
         if (depth != 0.0) return;
         vec3 luminance_nit = vec3(0.0);
         if (kHasEnvironment) {
-            luminance_nit = sample_background(background_map, background_direction(pixel)) *
+            luminance_nit = sample_background(background_map, to_environment(pixel_ray(pixel))) *
                             (frame.environment.z * frame.environment.w);
         }
         imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(65504.0)), 1.0));
@@ -62,8 +62,8 @@ void main() {
 
     GBuffer g = unpack_gbuffer(words);
     if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
-    vec3 position = world_position(vec2(pixel) + 0.5, depth);
-    Lit lit = shade(g, position, view_direction(position));
+    vec3 position = kHasLights ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
+    Lit lit = shade(g, position, -normalize(pixel_ray(pixel)));
     vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
     vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);
     sum += emissive;
