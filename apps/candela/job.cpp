@@ -82,7 +82,7 @@ realtime::Profile load_profile(const std::string& name) {
 
 /// The environment that the command line asks for, else the stage's; false when neither says anything.
 bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
-    std::optional<float> lux;
+    float lux = 0.0f;  // 0: leave the scale as it is
     if (stage.environment) {
         const io::StageEnvironment& e = *stage.environment;
         job.scene.environment =
@@ -90,7 +90,7 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
         job.scene.environment->scale = e.scale;
         job.scene.environment->rotation_rad = e.rotation_rad;
         job.scene.environment->visible = e.visible;
-        lux = e.illuminance_lx;
+        lux = e.illuminance_lx.value_or(0.0f);
     }
     if (options.environment == "none") {
         job.scene.environment.reset();
@@ -100,20 +100,20 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
         job.scene.environment = bake::studio_environment();
     } else if (!options.environment.empty()) {
         job.scene.environment = io::read_environment(options.environment, job.diagnostics);
-        lux.reset();
+        lux = 0.0f;
     }
     if (!job.scene.environment) return false;
     scene::Environment& e = *job.scene.environment;
     if (options.env_scale) e.scale = *options.env_scale;
     if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
     if (options.env_visible) e.visible = *options.env_visible;
-    if (options.env_lux) lux = options.env_lux;
-    if (lux) {
+    if (options.env_lux) lux = *options.env_lux;
+    if (lux > 0.0f) {
         e.scale = 1.0f;
         const float now_lx = bake::upward_illuminance_lx(e);
         if (!(now_lx > 0.0f))
             throw input_error("the environment gives no light", e.name, "leave --env-lux out");
-        e.scale = *lux / now_lx;
+        e.scale = lux / now_lx;
     }
     return true;
 }
