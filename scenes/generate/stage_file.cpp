@@ -7,8 +7,8 @@
 namespace candela::scenes {
 
 nlohmann::json manual_exposure(float aperture_f, float shutter_s, float iso, float compensation_ev) {
-    nlohmann::json exposure = {{"aperture", aperture_f}, {"shutter", shutter_s}, {"iso", iso}};
-    if (compensation_ev != 0.0f) exposure["compensation"] = compensation_ev;
+    nlohmann::json exposure = {{"aperture_f", aperture_f}, {"shutter_s", shutter_s}, {"iso", iso}};
+    if (compensation_ev != 0.0f) exposure["compensation_ev"] = compensation_ev;
     return exposure;
 }
 

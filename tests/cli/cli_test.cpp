@@ -50,44 +50,44 @@ void expect_one_line(const Outcome& outcome, int exit_code, const std::string& m
 }  // namespace
 
 TEST(CommandLine, AMissingSceneIsExitCodeOneAndOneLine) {
-    expect_one_line(candela("render no/such/scene.glb -o /tmp/never.png"), 1, "no/such/scene.glb");
+    expect_one_line(run_candela("render no/such/scene.glb -o /tmp/never.png"), 1, "no/such/scene.glb");
     EXPECT_FALSE(std::filesystem::exists("/tmp/never.png"));
 }
 
 TEST(CommandLine, WrongUseIsExitCodeTwo) {
-    expect_one_line(candela("render"), 2, "SCENE");
-    expect_one_line(candela("render scene.glb --size 0x10"), 2, "--size");
-    expect_one_line(candela("render scene.glb --size 12"), 2, "--size");
-    expect_one_line(candela("render scene.glb -o picture.bmp"), 2, "picture.bmp");
-    expect_one_line(candela("render scene.glb --aov beauty -o a.exr"), 2, "beauty");
-    expect_one_line(candela("render scene.glb --tonemap filmic"), 2, "tonemap");
-    expect_one_line(candela("fly"), 2, "");
-    expect_one_line(candela("render " + scene_file("grey_plane") + " --aperture 8"), 2, "shutter");
-    expect_one_line(candela("render " + scene_file("grey_plane") + " --shutter 1/0 --aperture 8 --iso 100"),
+    expect_one_line(run_candela("render"), 2, "SCENE");
+    expect_one_line(run_candela("render scene.glb --size 0x10"), 2, "--size");
+    expect_one_line(run_candela("render scene.glb --size 12"), 2, "--size");
+    expect_one_line(run_candela("render scene.glb -o picture.bmp"), 2, "picture.bmp");
+    expect_one_line(run_candela("render scene.glb --aov beauty -o a.exr"), 2, "beauty");
+    expect_one_line(run_candela("render scene.glb --tonemap filmic"), 2, "tonemap");
+    expect_one_line(run_candela("fly"), 2, "");
+    expect_one_line(run_candela("render " + scene_file("grey_plane") + " --aperture 8"), 2, "shutter");
+    expect_one_line(run_candela("render " + scene_file("grey_plane") + " --shutter 1/0 --aperture 8 --iso 100"),
                     2, "--shutter");
 }
 
 TEST(CommandLine, WhatTheRequestNamesMustExist) {
     const std::string scene = scene_file("grey_plane");
-    expect_one_line(candela("render " + scene + " --profile phong"), 1, "frostbite");
-    expect_one_line(candela("render " + scene + " --camera nobody"), 1, "nobody");
-    expect_one_line(candela("render " + scene + " --env missing.exr"), 1, "missing.exr");
-    expect_one_line(candela("render " + scene + " --stage missing.json"), 1, "missing.json");
-    expect_one_line(candela("render " + scene + " -o no/such/folder/a.png"), 1, "no/such/folder");
+    expect_one_line(run_candela("render " + scene + " --profile phong"), 1, "frostbite");
+    expect_one_line(run_candela("render " + scene + " --camera nobody"), 1, "nobody");
+    expect_one_line(run_candela("render " + scene + " --env missing.exr"), 1, "missing.exr");
+    expect_one_line(run_candela("render " + scene + " --stage missing.json"), 1, "missing.json");
+    expect_one_line(run_candela("render " + scene + " -o no/such/folder/a.png"), 1, "no/such/folder");
 }
 
 TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
-    const Outcome help = candela("render --help");
+    const Outcome help = run_candela("render --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find("--ev100"), std::string::npos);
-    EXPECT_EQ(candela("--version").out.rfind("candela ", 0), 0u);
+    EXPECT_EQ(run_candela("--version").out.rfind("candela ", 0), 0u);
 }
 
 // The whole way: glTF, shading, frame, EXR, in absolute cd/m^2.
 TEST(CommandLine, TheGreyPlaneReadsTenThousandLuxTimesAlbedoOverPi) {
     const TemporaryFolder out;
     const Outcome run =
-        candela("render " + scene_file("grey_plane") +
+        run_candela("render " + scene_file("grey_plane") +
                 " --env none --profile ue4 --size 64x64 --ev100 12 --exr-type float -o " + (out / "a.exr"));
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const float expected_nit = 10000.0f * 0.5f / kPi;
@@ -97,16 +97,16 @@ TEST(CommandLine, TheGreyPlaneReadsTenThousandLuxTimesAlbedoOverPi) {
 TEST(CommandLine, JsonIsTheOnlyThingOnStandardOutput) {
     const TemporaryFolder out;
     const Outcome run =
-        candela("render " + scene_file("grey_plane") + " --size 32x32 --json -o " + (out / "a.png"));
+        run_candela("render " + scene_file("grey_plane") + " --size 32x32 --json -o " + (out / "a.png"));
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_EQ(json["width"], 32);
     EXPECT_TRUE(json["automatic_exposure"]);
     EXPECT_GT(json["passes"].size(), 2u);
-    const auto info = nlohmann::json::parse(candela("info " + scene_file("lamps") + " --json").out);
+    const auto info = nlohmann::json::parse(run_candela("info " + scene_file("lamps") + " --json").out);
     EXPECT_GE(info["scene"]["lights"].size(), 3u);
     const auto bench = nlohmann::json::parse(
-        candela("bench " + scene_file("sphere_grid") + " --size 64x64 --frames 3 --json").out);
+        run_candela("bench " + scene_file("sphere_grid") + " --size 64x64 --frames 3 --json").out);
     EXPECT_GT(bench["frame_ms_median"], 0.0);
     EXPECT_GT(bench["peak_host_mib"], 1.0);
 }
@@ -114,8 +114,8 @@ TEST(CommandLine, JsonIsTheOnlyThingOnStandardOutput) {
 TEST(CommandLine, TwoRunsGiveTheSameBytesAndSeveralOutputsOnePicture) {
     const TemporaryFolder out;
     const std::string args = "render " + scene_file("sphere_grid") + " --env studio --size 96x54 --aov all";
-    ASSERT_EQ(candela(args + " -o " + (out / "a.png") + " -o " + (out / "a.exr")).exit_code, 0);
-    ASSERT_EQ(candela(args + " -o " + (out / "b.png") + " -o " + (out / "b.exr")).exit_code, 0);
+    ASSERT_EQ(run_candela(args + " -o " + (out / "a.png") + " -o " + (out / "a.exr")).exit_code, 0);
+    ASSERT_EQ(run_candela(args + " -o " + (out / "b.png") + " -o " + (out / "b.exr")).exit_code, 0);
     EXPECT_EQ(slurp(out / "a.png"), slurp(out / "b.png"));
     EXPECT_EQ(slurp(out / "a.exr"), slurp(out / "b.exr"));
     const auto exr = candela::io::read_exr(out / "a.exr");
@@ -130,17 +130,30 @@ TEST(CommandLine, TwoRunsGiveTheSameBytesAndSeveralOutputsOnePicture) {
 TEST(CommandLine, AnUnlitSceneGetsTheStudioAndSaysSo) {
     const TemporaryFolder out;
     const Outcome run =
-        candela("render " + scene_file("sphere_grid") + " --size 64x36 -o " + (out / "a.exr"));
+        run_candela("render " + scene_file("sphere_grid") + " --size 64x36 -o " + (out / "a.exr"));
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NE(run.err.find("studio"), std::string::npos) << run.err;
     EXPECT_GT(center_red(candela::io::read_exr(out / "a.exr")), 0.0f);
+}
+
+TEST(CommandLine, EnvironmentsAreBackgroundUnlessHidden) {
+    const TemporaryFolder out;
+    const auto corner = [&](const std::string& option) {
+        EXPECT_EQ(run_candela("render " + scene_file("sphere_grid") + " --env studio --size 32x18 " + option +
+                              " -o " + (out / "a.exr"))
+                      .exit_code,
+                  0);
+        return candela::io::read_exr(out / "a.exr").find("R")->front();
+    };
+    EXPECT_GT(corner(""), 1.0f);
+    EXPECT_EQ(corner("--env-hidden"), 0.0f);
 }
 
 TEST(CommandLine, EnvLuxSetsTheUpFacingIlluminance) {
     const TemporaryFolder out;
     const auto brightness = [&](int lux) {
         const Outcome run =
-            candela("render " + scene_file("sphere_grid") + " --env studio --env-lux " + std::to_string(lux) +
+            run_candela("render " + scene_file("sphere_grid") + " --env studio --env-lux " + std::to_string(lux) +
                     " --ev100 8 --size 64x36 --exr-type float -o " + (out / "a.exr"));
         EXPECT_EQ(run.exit_code, 0) << run.err;
         return center_red(candela::io::read_exr(out / "a.exr"));

@@ -45,7 +45,7 @@ inline std::string slurp(const std::string& file) {
 }
 
 /// Runs the command line under a shell; `arguments` are the test's own words, quoted by the caller.
-inline Outcome candela(const std::string& arguments) {
+inline Outcome run_candela(const std::string& arguments) {
     const TemporaryFolder streams;
     const std::string command =
         std::string(CANDELA_BINARY) + " " + arguments + " >" + (streams / "out") + " 2>" + (streams / "err");

@@ -24,6 +24,8 @@ Error write_error(int code, const fs::path& file) {
     return {fault, std::string("cannot be written: ") + std::strerror(code), file.string()};
 }
 
+constexpr int most_links = 40;  // as the kernel follows
+
 /// What a symbolic link points to, which need not exist yet.
 fs::path followed(const fs::path& file) {
     std::error_code failure;
@@ -33,9 +35,12 @@ fs::path followed(const fs::path& file) {
         throw input_error("is not a regular file", file.string(),
                           "pictures are written to a temporary name and renamed");
     }
-    if (!fs::is_symlink(fs::symlink_status(file, failure))) return file;
-    const fs::path target = fs::weakly_canonical(file, failure);
-    if (failure) throw write_error(failure.value(), file);
+    fs::path target = file;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, failure)); ++links) {
+        if (links == most_links) throw write_error(ELOOP, file);
+        // An absolute link replaces the folder; canonical() would refuse a link to what is not there yet.
+        target = target.parent_path() / fs::read_symlink(target, failure);
+    }
     return target;
 }
 
