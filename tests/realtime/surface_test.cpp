@@ -2,6 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "candela/realtime/opacity.hpp"
 #include "test_scenes.hpp"
 
 using namespace candela;
@@ -101,6 +102,57 @@ TEST(Surface, BlendedSurfacesAreSortedBackToFront) {
     const glm::vec3 nit = center(render(s, options("best")));
     EXPECT_NEAR(nit.x, 50.0f, 0.3f);
     EXPECT_NEAR(nit.y, 25.0f, 0.3f);
+}
+
+TEST(Surface, TrianglesOfOneBlendedSurfaceAreSortedToo) {
+    scene::Primitive both = square(2.0f);
+    const scene::Primitive far = square(2.0f);
+    both.colors.assign(4, {1, 0, 0, 0.5f});
+    for (std::size_t i = 0; i < 4; ++i) {
+        both.positions[i].z = 1.0f;
+        both.positions.push_back(far.positions[i]);
+        both.normals.push_back(far.normals[i]);
+        both.tangents.push_back(far.tangents[i]);
+        both.uv[0].push_back(far.uv[0][i]);
+        both.colors.emplace_back(0, 1, 0, 0.5f);
+    }
+    for (std::size_t i = 0; i < 6; ++i) both.indices.push_back(both.indices[i] + 4);
+    scene::Material m;
+    m.unlit = true;
+    m.double_sided = true;
+    m.alpha_mode = scene::AlphaMode::blend;
+    const scene::Scene s = scene_of(both, m);
+    const scene::Camera behind = scene::look_at({0, 0, -3}, {0, 0, 0}, 0.6f);
+    for (const bool from_behind : {false, true}) {
+        const realtime::Still still = render(s, options("best"), from_behind ? behind : kFront);
+        const glm::vec3 seen = center(still) * still.exposure;
+        EXPECT_NEAR(from_behind ? seen.y : seen.x, 0.5f, 0.002f) << "the nearer one covers";
+        EXPECT_NEAR(from_behind ? seen.x : seen.y, 0.25f, 0.002f);
+    }
+}
+
+TEST(Surface, BlendingIsNeededOnlyWhereSomeAlphaIsBelowOne) {
+    scene::Scene s = scene_of(square(1.0f), grey(0.5f));
+    scene::Material& m = s.materials[0];
+    scene::Primitive& p = s.meshes[0].primitives[0];
+    const auto needed = [&] { return realtime::Opacity(s).needs_blending(p); };
+    EXPECT_FALSE(needed()) << "an opaque material";
+    m.alpha_mode = scene::AlphaMode::blend;
+    EXPECT_FALSE(needed()) << "alpha 1 everywhere";
+    m.base_color.a = 0.9f;
+    EXPECT_TRUE(needed());
+    m.base_color.a = 1.0f;
+    p.colors.assign(4, glm::vec4(1.0f));
+    EXPECT_FALSE(needed());
+    p.colors[2].a = 0.5f;
+    EXPECT_TRUE(needed());
+    p.colors.clear();
+    s.images.push_back({"picture", 2, 1, {1, 2, 3, 255, 4, 5, 6, 255}});
+    s.textures.push_back({0, {}});
+    m.base_color_texture.texture = 0;
+    EXPECT_FALSE(needed());
+    s.images[0].rgba[7] = 254;
+    EXPECT_TRUE(needed());
 }
 
 TEST(Surface, TheAlphaMaskCutsAtItsCutoff) {

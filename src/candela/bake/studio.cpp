@@ -37,8 +37,8 @@ scene::Environment studio_environment() {
                              {{1.0f, 0.35f, 0.9f}, 0.55f, 0.55f, 900.0f},
                              {{0.5f, 0.6f, -1.0f}, 0.20f, 0.70f, 2600.0f},
                              {{0.0f, 1.0f, 0.15f}, 0.70f, 0.50f, 1500.0f}};
-    constexpr float wall_nit = 110.0f;
-    constexpr float floor_nit = 45.0f;
+    constexpr float wall_nit = 330.0f;
+    constexpr float floor_nit = 200.0f;
     scene::Environment e;
     e.name = "studio";
     e.width = 512;

@@ -1,8 +1,5 @@
 #include "candela/realtime/forward_pass.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "candela_shaders/forward_frag.hpp"
 #include "candela_shaders/mesh_vert.hpp"
 
@@ -35,30 +32,21 @@ ShadeVariant variant(const GpuScene& scene) {
 }  // namespace
 
 ForwardPass::ForwardPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene)
-    : pipelines_(device, make_layout(device), make_desc(), variant(scene)) {
+    : pipelines_(device, make_layout(device), make_desc(), variant(scene)), order_(device, scene) {
     pipelines_.prepare(frame, scene, true);
 }
 
 void ForwardPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene,
-                         const glm::vec3& eye, const glm::vec3& backward) const {
-    std::vector<std::pair<float, const Draw*>> sorted;
-    for (const Draw& draw : scene.draws) {
-        if (draw.blended) sorted.emplace_back(glm::dot(draw.world_center - eye, backward), &draw);
-    }
-    if (sorted.empty()) return;
-    // The farthest has the smallest coordinate towards the viewer.
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<const Draw*> draws;
-    for (const auto& entry : sorted) draws.push_back(entry.second);
-
+                         const glm::vec3& eye, const glm::vec3& backward) {
+    if (order_.empty()) return;
+    order_.sort(scene, eye, backward);
     commands.begin_pass("forward");
     use_shading_inputs(commands, frame, scene);
     const VkDescriptorSet set =
         commands.descriptors().allocate(pipelines_.layout(), 0, shading_bindings(frame, scene));
     const std::array targets{gpu::ColorTarget{&frame.light}};
     commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth});
-    pipelines_.draw(commands, scene, draws, set);
+    pipelines_.draw(commands, scene.vertices, order_.indices(), order_.draws(), set);
     commands.end_rendering();
 }
 

@@ -50,7 +50,7 @@ void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
         if (!draw.blended) draws.push_back(&draw);
     }
     commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth, gpu::Load::clear});
-    pipelines_.draw(commands, scene, draws, set);
+    pipelines_.draw(commands, scene.vertices, scene.indices, draws, set);
     commands.end_rendering();
 }
 

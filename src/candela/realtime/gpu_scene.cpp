@@ -8,6 +8,7 @@
 
 #include "candela/realtime/material_block.hpp"
 #include "candela/realtime/mipmaps.hpp"
+#include "candela/realtime/opacity.hpp"
 
 namespace candela::realtime {
 namespace {
@@ -30,6 +31,17 @@ Vertex make_vertex(const scene::Primitive& p, std::size_t i) {
     if (!p.uv[1].empty()) v.uv1 = p.uv[1][i];
     for (int c = 0; c < 4; ++c) v.color[c] = p.colors.empty() ? 65535 : unorm16(p.colors[i][c]);
     return v;
+}
+
+BlendedSurface blended_surface(const scene::Primitive& p) {
+    BlendedSurface surface;
+    surface.indices = p.indices;
+    for (std::size_t i = 0; i + 2 < p.indices.size(); i += 3) {
+        surface.centroids.push_back(
+            (p.positions[p.indices[i]] + p.positions[p.indices[i + 1]] + p.positions[p.indices[i + 2]]) /
+            3.0f);
+    }
+    return surface;
 }
 
 /// A 1 x 1 white texel stands in for every absent texture, so that each binding is valid.
@@ -120,6 +132,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
     std::vector<Vertex> all_vertices;
     std::vector<std::uint32_t> all_indices;
     std::vector<std::vector<Draw>> mesh_draws(scene.meshes.size());
+    const Opacity opacity(scene);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         for (const scene::Primitive& p : scene.meshes[m].primitives) {
             if (p.indices.empty()) continue;
@@ -132,7 +145,11 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             const scene::Material& material = scene.materials[p.material];
             draw.features = material_features(material);
             if (!p.colors.empty()) draw.features |= feature_vertex_color;
-            draw.blended = material.alpha_mode == scene::AlphaMode::blend;
+            draw.blended = opacity.needs_blending(p);
+            if (draw.blended) {
+                draw.blended_surface = static_cast<std::uint32_t>(blended_surfaces.size());
+                blended_surfaces.push_back(blended_surface(p));
+            }
             mesh_draws[m].push_back(draw);
             for (std::size_t i = 0; i < p.positions.size(); ++i) all_vertices.push_back(make_vertex(p, i));
             all_indices.insert(all_indices.end(), p.indices.begin(), p.indices.end());

@@ -58,6 +58,13 @@ struct Draw {
     glm::vec3 world_center{0.0f};  ///< for sorting
     bool mirrored = false;
     bool blended = false;
+    std::uint32_t blended_surface = 0;  ///< into GpuScene::blended_surfaces
+};
+
+/// What sorting the triangles of a blended surface needs on the host.
+struct BlendedSurface {
+    std::vector<glm::vec3> centroids;    ///< object space, one a triangle
+    std::vector<std::uint32_t> indices;  ///< three a triangle
 };
 
 /// A scene's geometry, textures, materials and lights in device memory. Lives as long as its device.
@@ -71,6 +78,7 @@ class GpuScene {
     gpu::Buffer lights;     ///< storage
     std::uint32_t light_count = 0;
     std::vector<Draw> draws;
+    std::vector<BlendedSurface> blended_surfaces;
     bool any_emissive = false;  ///< emissive or unlit surfaces among the opaque draws
     bool any_layered = false;
 

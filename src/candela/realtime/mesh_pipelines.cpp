@@ -61,15 +61,15 @@ void MeshPipelines::prepare(const FrameResources& frame, const GpuScene& scene, 
     }
 }
 
-void MeshPipelines::draw(gpu::Commands& commands, const GpuScene& scene, std::span<const Draw* const> draws,
-                         VkDescriptorSet set0) const {
+void MeshPipelines::draw(gpu::Commands& commands, const gpu::Buffer& vertices, const gpu::Buffer& indices,
+                         std::span<const Draw* const> draws, VkDescriptorSet set0) const {
     if (draws.empty()) return;
     const auto& vk = device_->vk;
     const VkCommandBuffer buffer = commands.handle();
-    const VkBuffer vertices = scene.vertices.handle();
+    const VkBuffer vertex_buffer = vertices.handle();
     const VkDeviceSize zero = 0;
-    vk.vkCmdBindVertexBuffers(buffer, 0, 1, &vertices, &zero);
-    vk.vkCmdBindIndexBuffer(buffer, scene.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    vk.vkCmdBindVertexBuffers(buffer, 0, 1, &vertex_buffer, &zero);
+    vk.vkCmdBindIndexBuffer(buffer, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     vk.vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.handle(), 0, 1, &set0, 0,
                                nullptr);
     const Draw* last = nullptr;

@@ -17,8 +17,8 @@ class MeshPipelines {
     void prepare(const FrameResources& frame, const GpuScene& scene, bool blended);
 
     /// Draws inside begin_rendering()/end_rendering(). `set0` is bound as set 0.
-    void draw(gpu::Commands& commands, const GpuScene& scene, std::span<const Draw* const> draws,
-              VkDescriptorSet set0) const;
+    void draw(gpu::Commands& commands, const gpu::Buffer& vertices, const gpu::Buffer& indices,
+              std::span<const Draw* const> draws, VkDescriptorSet set0) const;
 
     [[nodiscard]] const gpu::PipelineLayout& layout() const noexcept { return layout_; }
 
