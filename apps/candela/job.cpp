@@ -191,10 +191,11 @@ void add_scene_options(CLI::App& command, JobOptions& o) {
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
     command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx")
         ->check(CLI::PositiveNumber);
-    command.add_flag_callback("--env-visible", [&o] { o.env_visible = true; },
-                              "Draw the environment as background");
-    command.add_flag_callback("--env-hidden", [&o] { o.env_visible = false; },
-                              "Leave the background black, with the environment's light");
+    command.add_flag_callback(
+        "--env-visible", [&o] { o.env_visible = true; }, "Draw the environment as background");
+    command.add_flag_callback(
+        "--env-hidden", [&o] { o.env_visible = false; },
+        "Leave the background black, with the environment's light");
     command.add_option("--light-scale", o.light_scale, "Multiplies every punctual light of the file")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");

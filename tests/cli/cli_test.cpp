@@ -63,8 +63,9 @@ TEST(CommandLine, WrongUseIsExitCodeTwo) {
     expect_one_line(run_candela("render scene.glb --tonemap filmic"), 2, "tonemap");
     expect_one_line(run_candela("fly"), 2, "");
     expect_one_line(run_candela("render " + scene_file("grey_plane") + " --aperture 8"), 2, "shutter");
-    expect_one_line(run_candela("render " + scene_file("grey_plane") + " --shutter 1/0 --aperture 8 --iso 100"),
-                    2, "--shutter");
+    expect_one_line(
+        run_candela("render " + scene_file("grey_plane") + " --shutter 1/0 --aperture 8 --iso 100"), 2,
+        "--shutter");
 }
 
 TEST(CommandLine, WhatTheRequestNamesMustExist) {
@@ -86,9 +87,9 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
 // The whole way: glTF, shading, frame, EXR, in absolute cd/m^2.
 TEST(CommandLine, TheGreyPlaneReadsTenThousandLuxTimesAlbedoOverPi) {
     const TemporaryFolder out;
-    const Outcome run =
-        run_candela("render " + scene_file("grey_plane") +
-                " --env none --profile ue4 --size 64x64 --ev100 12 --exr-type float -o " + (out / "a.exr"));
+    const Outcome run = run_candela("render " + scene_file("grey_plane") +
+                                    " --env none --profile ue4 --size 64x64 --ev100 12 --exr-type float -o " +
+                                    (out / "a.exr"));
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const float expected_nit = 10000.0f * 0.5f / kPi;
     EXPECT_NEAR(center_red(candela::io::read_exr(out / "a.exr")), expected_nit, 0.005f * expected_nit);
@@ -152,9 +153,9 @@ TEST(CommandLine, EnvironmentsAreBackgroundUnlessHidden) {
 TEST(CommandLine, EnvLuxSetsTheUpFacingIlluminance) {
     const TemporaryFolder out;
     const auto brightness = [&](int lux) {
-        const Outcome run =
-            run_candela("render " + scene_file("sphere_grid") + " --env studio --env-lux " + std::to_string(lux) +
-                    " --ev100 8 --size 64x36 --exr-type float -o " + (out / "a.exr"));
+        const Outcome run = run_candela("render " + scene_file("sphere_grid") + " --env studio --env-lux " +
+                                        std::to_string(lux) + " --ev100 8 --size 64x36 --exr-type float -o " +
+                                        (out / "a.exr"));
         EXPECT_EQ(run.exit_code, 0) << run.err;
         return center_red(candela::io::read_exr(out / "a.exr"));
     };
