@@ -51,23 +51,28 @@ FN uint owen_scramble(uint x, uint seed) {
     return bitfieldReverse(owen_scramble_reversed(bitfieldReverse(x), seed));
 }
 
+// Pascal's triangle modulo 2 on the bits of x, as a butterfly: read as a polynomial over GF(2), p(x) becomes p(1 + x),
+// because (1 + x)^(2^k) = 1 + x^(2^k).
+FN uint pascal_mod2(uint x) {
+    x ^= (x >> 16u) & 0x0000ffffu;
+    x ^= (x >> 8u) & 0x00ff00ffu;
+    x ^= (x >> 4u) & 0x0f0f0f0fu;
+    x ^= (x >> 2u) & 0x33333333u;
+    x ^= (x >> 1u) & 0x55555555u;
+    return x;
+}
+
 // Second dimension of Sobol's sequence (the first is the mirrored index): polynomial x + 1, direction numbers
-// v_k = v_(k-1) ^ (v_(k-1) >> 1). Sobol 1967.
+// v_k = v_(k-1) ^ (v_(k-1) >> 1), which is row k of Pascal's triangle. Sobol 1967.
 FN uint sobol_second(uint index) {
-    uint result = 0u;
-    uint direction = 0x80000000u;
-    for (uint rest = index; rest != 0u; rest >>= 1u) {
-        if ((rest & 1u) != 0u) result ^= direction;
-        direction ^= direction >> 1u;
-    }
-    return result;
+    return bitfieldReverse(pascal_mod2(index));
 }
 
 // Point `index` of the Owen-scrambled Sobol (0,2)-sequence with this seed, in [0,1)^2.
 FN vec2 sobol_owen(uint index, uint seed) {
     uint x = owen_scramble_reversed(index, hash_combine(seed, 0u));
-    uint y = owen_scramble(sobol_second(index), hash_combine(seed, 1u));
-    return vec2(unit_float(bitfieldReverse(x)), unit_float(y));
+    uint y = owen_scramble_reversed(pascal_mod2(index), hash_combine(seed, 1u));
+    return vec2(unit_float(bitfieldReverse(x)), unit_float(bitfieldReverse(y)));
 }
 
 // Independent 2D points for dimension pairs 0, 1, 2, ... of the same sample: the pairs are padded by

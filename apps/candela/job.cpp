@@ -118,6 +118,15 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     return true;
 }
 
+bool has_emissive_surface(const scene::Scene& scene) {
+    for (const scene::Instance& instance : scene.instances) {
+        for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives) {
+            if (scene.materials[p.material].emissive_nit != glm::vec3(0.0f)) return true;
+        }
+    }
+    return false;
+}
+
 glm::vec3 vector_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
@@ -232,7 +241,7 @@ void add_device_options(CLI::App& command, JobOptions& o) {
     command.add_flag("--json", o.json, "Print one JSON object on standard output");
 }
 
-Job prepare(const JobOptions& options) {
+Job prepare(const JobOptions& options, EmissiveSurfaces emissive) {
     Job job;
     parse_size(options.size, job);
     job.profile = load_profile(options.profile);
@@ -240,7 +249,8 @@ Job prepare(const JobOptions& options) {
     job.scene = io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, job.diagnostics);
     io::Stage stage;
     if (!options.stage_file.empty()) stage = io::load_stage(options.stage_file);
-    if (!stage_environment(options, stage, job) && job.scene.lights.empty()) {
+    const bool lit_by_surfaces = emissive == EmissiveSurfaces::light && has_emissive_surface(job.scene);
+    if (!stage_environment(options, stage, job) && job.scene.lights.empty() && !lit_by_surfaces) {
         job.scene.environment = bake::studio_environment();
         job.diagnostics.warn(
             "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");

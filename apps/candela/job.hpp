@@ -59,8 +59,11 @@ struct Job {
     Diagnostics diagnostics;
 };
 
-/// Loads and stages the scene. Throws Error.
-[[nodiscard]] Job prepare(const JobOptions& options);
+/// Whether emissive surfaces light others: in the truth they do, in the real-time frame they only show.
+enum class EmissiveSurfaces : std::uint8_t { show, light };
+
+/// Loads and stages the scene; one that brings no light gets the built-in studio. Throws Error.
+[[nodiscard]] Job prepare(const JobOptions& options, EmissiveSurfaces emissive = EmissiveSurfaces::show);
 
 [[nodiscard]] gpu::DeviceOptions device_options(const JobOptions& options);
 

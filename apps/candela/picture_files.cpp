@@ -50,6 +50,9 @@ class Channels {
                        [&](const glm::vec4& t) { return t[component]; });
         channels_.push_back({name, type, std::span<const float>(plane)});
     }
+    void add(const ExtraLayer& layer) {
+        channels_.push_back({layer.channel, io::PixelType::float32, std::span<const float>(layer.plane)});
+    }
     void add(const std::string& name, const std::vector<glm::uvec2>& texels, int component) {
         std::vector<std::uint32_t>& plane = words_.emplace_back(texels.size());
         std::transform(texels.begin(), texels.end(), plane.begin(),
@@ -73,7 +76,7 @@ std::map<std::string, io::ExrAttribute> exr_attributes(const Job& job, const rea
                                                        const PictureInfo& info) {
     std::map<std::string, io::ExrAttribute> a{{"whiteLuminance", 1.0f},
                                               {"candela/version", std::string(version())},
-                                              {"candela/mode", std::string("realtime")},
+                                              {"candela/mode", info.mode},
                                               {"candela/profile", job.profile.name},
                                               {"candela/techniques", realtime::describe(job.profile)},
                                               {"candela/device", info.device},
@@ -82,6 +85,7 @@ std::map<std::string, io::ExrAttribute> exr_attributes(const Job& job, const rea
                                               {"candela/samples", std::to_string(info.samples)},
                                               {"candela/seed", std::to_string(info.seed)},
                                               {"candela/camera", job.camera.name}};
+    for (const auto& [name, value] : info.settings) a["candela/" + name] = value;
     if (job.exposure.aperture_f) a["aperture"] = *job.exposure.aperture_f;
     if (job.exposure.shutter_s) a["expTime"] = *job.exposure.shutter_s;
     if (job.exposure.iso) a["isoSpeed"] = *job.exposure.iso;
@@ -103,6 +107,9 @@ void write_exr(const std::string& file, const PictureFileOptions& options, const
     }
     if (wants(options, "object_id")) channels.add("shape_index.I", still.planes.ids, 0);
     if (wants(options, "material_id")) channels.add("material_index.I", still.planes.ids, 1);
+    for (const ExtraLayer& layer : info.layers) {
+        if (wants(options, layer.aov)) channels.add(layer);
+    }
     io::write_exr(file, still.width, still.height, channels.list(), exr_attributes(job, still, info));
 }
 
@@ -148,6 +155,8 @@ std::vector<std::string> aov_names() {
     for (const AovLayer& layer : color_layers()) names.push_back(layer.name);
     names.emplace_back("object_id");
     names.emplace_back("material_id");
+    names.emplace_back("sample_count");
+    names.emplace_back("variance");
     names.emplace_back("all");
     return names;
 }

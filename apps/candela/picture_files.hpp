@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,20 @@ struct PictureFileOptions {
 /// Throws Error (Fault::usage) for an extension or AOV that does not exist, before anything is rendered.
 void check_outputs(const PictureFileOptions& options);
 
+/// A plane that only some modes have: sample_count and variance of the path tracer.
+struct ExtraLayer {
+    std::string aov;
+    std::string channel;
+    std::vector<float> plane;
+};
+
 struct PictureInfo {
+    std::string mode = "realtime";
     std::string device;
     std::uint32_t samples = 1;
     std::uint32_t seed = 0;
+    std::map<std::string, std::string> settings;  ///< further ones, for the header: candela/NAME
+    std::vector<ExtraLayer> layers;
 };
 
 /// Writes every output. PNG is display-referred (exposure, tone curve, sRGB); EXR is luminance in cd/m^2.

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -7,15 +9,20 @@
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
+#include "path_mode.hpp"
 #include "picture_files.hpp"
 
 namespace candela::app {
 namespace {
 
+/// Of a still of the real-time frame.
+constexpr std::uint32_t kFrameSamples = 4;
+
 struct RenderOptions {
     JobOptions job;
     PictureFileOptions files;
-    std::uint32_t samples = 4;
+    PathModeOptions path;
+    std::optional<std::uint32_t> samples;
     std::string mode = "realtime";
 };
 
@@ -28,66 +35,117 @@ void throw_validation(const gpu::Device& device) {
     if (!messages.empty()) throw machine_error("validation: " + messages.front());
 }
 
-int render(RenderOptions options) {
-    const auto start = std::chrono::steady_clock::now();
-    if (options.files.outputs.empty()) options.files.outputs = {"out.png"};
-    check_outputs(options.files);
-    Job job = prepare(options.job);
-    const double load_s = seconds_since(start);
+using Seconds = std::map<std::string, double>;
 
+realtime::Still render_frame_still(const RenderOptions& options, Job& job, PictureInfo& info,
+                                   Seconds& seconds) {
     const gpu::Device device(device_options(options.job));
-    const std::string device_text = device_line(device.info());
-    std::fprintf(stderr, "candela: device: %s\n", device_text.c_str());
+    info.device = device_line(device.info());
+    info.samples = options.samples.value_or(kFrameSamples);
+    std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
     realtime::Still still;
-    double setup_s = 0.0;
-    double render_s = 0.0;
     {
         realtime::RendererOptions renderer_options;
         renderer_options.width = job.width;
         renderer_options.height = job.height;
-        renderer_options.samples = options.samples;
+        renderer_options.samples = info.samples;
         renderer_options.seed = options.job.seed;
         renderer_options.profile = job.profile;
         renderer_options.tone_curve = job.tone_curve;
         renderer_options.aovs = !options.files.aovs.empty();
         const auto setup = std::chrono::steady_clock::now();
         realtime::Renderer renderer(device, job.scene, renderer_options);
-        setup_s = seconds_since(setup);
+        seconds["setup"] = seconds_since(setup);
         const auto draw = std::chrono::steady_clock::now();
         still = renderer.render_still(job.camera, job.exposure);
-        render_s = seconds_since(draw);
+        seconds["render"] = seconds_since(draw);
     }
     if (options.job.validation) throw_validation(device);
-    if (job.exposure.automatic() && !still.metered) {
-        job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
-    }
-    const auto write = std::chrono::steady_clock::now();
-    write_pictures(options.files, job, still, {device_text, options.samples, options.job.seed});
-    const double write_s = seconds_since(write);
+    return still;
+}
 
-    print_warnings(job.diagnostics);
-    if (options.job.json) {
-        const nlohmann::json out{
-            {"outputs", options.files.outputs},
+nlohmann::json result_json(const RenderOptions& options, const Job& job, const realtime::Still& still,
+                           const PictureInfo& info, const Seconds& seconds) {
+    return {{"outputs", options.files.outputs},
             {"version", version()},
-            {"device", device_text},
+            {"mode", info.mode},
+            {"device", info.device},
             {"profile", job.profile.name},
             {"techniques", realtime::describe(job.profile)},
             {"width", still.width},
             {"height", still.height},
-            {"samples", options.samples},
+            {"samples", info.samples},
             {"ev100", still.ev100},
             {"exposure", still.exposure},
             {"automatic_exposure", job.exposure.automatic()},
-            {"seconds", {{"load", load_s}, {"setup", setup_s}, {"render", render_s}, {"write", write_s}}},
+            {"seconds", seconds},
             {"passes", pass_times_json(still.pass_times)},
             {"warnings", warnings_json(job.diagnostics)}};
+}
+
+void check_mode(const RenderOptions& options) {
+    if (options.mode == "path") return;
+    if (any_path_option(options.path)) {
+        throw Error(Fault::usage, "an option of the path tracer", "--mode " + options.mode, "--mode path");
+    }
+    if (options.samples.value_or(1) > 4096) throw Error(Fault::usage, "more than 4096 samples", "--spp");
+    for (const std::string& aov : options.files.aovs) {
+        if (aov == "variance" || aov == "sample_count") {
+            throw Error(Fault::usage, "only the path tracer has " + aov, "--aov", "--mode path");
+        }
+    }
+}
+
+int render(RenderOptions options) {
+    const auto start = std::chrono::steady_clock::now();
+    if (options.files.outputs.empty()) options.files.outputs = {"out.png"};
+    check_outputs(options.files);
+    check_mode(options);
+    Job job = prepare(options.job, options.mode == "path" ? EmissiveSurfaces::light : EmissiveSurfaces::show);
+    Seconds seconds{{"load", seconds_since(start)}};
+
+    PictureInfo info;
+    info.mode = options.mode;
+    info.seed = options.job.seed;
+    realtime::Still still;
+    std::string note;
+    std::string finished_checkpoint;
+    std::optional<double> error;
+    if (options.mode == "path") {
+        options.path.samples = options.samples;
+        const auto draw = std::chrono::steady_clock::now();
+        PathModePicture picture = render_by_path(job, options.job, options.path, options.files);
+        if (!picture.writes) return 0;
+        seconds["render"] = seconds_since(draw);
+        still = std::move(picture.still);
+        info = std::move(picture.info);
+        note = "; " + picture.note;
+        error = picture.error;
+        finished_checkpoint = picture.checkpoint;
+    } else {
+        still = render_frame_still(options, job, info, seconds);
+    }
+    if (job.exposure.automatic() && !still.metered) {
+        job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
+    }
+    const auto write = std::chrono::steady_clock::now();
+    write_pictures(options.files, job, still, info);
+    if (!finished_checkpoint.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(finished_checkpoint, ignored);
+    }
+    seconds["write"] = seconds_since(write);
+
+    print_warnings(job.diagnostics);
+    if (options.job.json) {
+        nlohmann::json out = result_json(options, job, still, info, seconds);
+        if (error) out["estimated_relative_error"] = *error;
         std::printf("%s\n", out.dump(2).c_str());
     } else {
         for (const std::string& file : options.files.outputs) {
-            std::fprintf(stderr, "candela: wrote %s (%ux%u, EV100 %.2f%s)\n", file.c_str(), still.width,
+            std::fprintf(stderr, "candela: wrote %s (%ux%u, EV100 %.2f%s%s)\n", file.c_str(), still.width,
                          still.height, static_cast<double>(still.ev100),
-                         job.exposure.automatic() ? ", metered" : "");
+                         job.exposure.automatic() ? ", metered" : "", note.c_str());
         }
     }
     return 0;
@@ -106,10 +164,14 @@ void add_render(CLI::App& app, Action& action) {
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
     add_device_options(*command, options->job);
-    command->add_option("--samples,--spp", options->samples, "Samples a pixel")
-        ->check(CLI::Range(1u, 4096u))
+    command->add_option("--samples,--spp", options->samples, "Samples a pixel (realtime 4, path 256)")
+        ->check(CLI::Range(1u, 1u << 24));
+    command
+        ->add_option("--mode", options->mode,
+                     "How light is found: realtime, or path (ground truth, on the CPU)")
+        ->check(CLI::IsMember({"realtime", "path"}))
         ->capture_default_str();
-    command->add_option("--mode", options->mode, "How light is found")->check(CLI::IsMember({"realtime"}));
+    add_path_options(*command, options->path);
     command->add_option("--png-bits", options->files.png_bits, "8 or 16")->check(CLI::IsMember({8, 16}));
     command->add_option("--exr-type", options->files.exr_type, "half or float")
         ->check(CLI::IsMember({"half", "float"}));

@@ -1,4 +1,3 @@
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "demo_scenes.hpp"
@@ -39,18 +38,6 @@ void write_room(const std::filesystem::path& folder) {
                 {{-0.95f, 1.65f, -0.85f}, {0, 1, 0}, glm::radians(17.0f)});
     scene.place("short block", box({1.65f, 1.65f, 1.65f}), white,
                 {{0.95f, 0.825f, 0.85f}, {0, 1, 0}, glm::radians(-17.0f)});
-    // glTF has no area lights, and its emissive surfaces give no light: a lamp with the panel's luminous
-    // intensity stands in for it.
-    const float axial_cd = panel_lm / glm::pi<float>();
-    LightSource lamp;
-    lamp.name = "panel";
-    lamp.type = "spot";
-    lamp.intensity = axial_cd;
-    lamp.kelvin = 4000.0f;
-    lamp.outer_cone_rad = glm::radians(89.9f);
-    lamp.at_m = {0, size_m - 0.02f, 0};
-    lamp.towards_m = {0, 0, 0};
-    scene.light(lamp);
     scene.camera("main", {0.0f, half, half + 8.0f}, {0.0f, half, 0.0f}, 35.0f);
     scene.save(folder / "cornell_room.glb");
     write_stage(folder / "cornell_room.stage.json",

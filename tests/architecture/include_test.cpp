@@ -19,7 +19,8 @@ const std::map<std::string, std::set<std::string>> kArrows{{"scene", {}},
                                                            {"io", {"scene"}},
                                                            {"gpu", {"scene"}},
                                                            {"bake", {"gpu", "io", "scene"}},
-                                                           {"realtime", {"bake", "gpu", "scene"}}};
+                                                           {"realtime", {"bake", "gpu", "scene"}},
+                                                           {"truth", {"bake", "gpu", "io", "scene"}}};
 
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::regex include(R"(^\s*#\s*include\s+["<]([^">]+)[">])");

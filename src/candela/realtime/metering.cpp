@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "candela/realtime/exposure_control.hpp"
 #include "candela_shaders/histogram_comp.hpp"
+#include "shading/exposure.glsl"
 
 namespace candela::realtime {
 namespace {
@@ -61,6 +63,24 @@ bool average_log2_luminance(std::span<const std::uint32_t> bins, double low_frac
     if (weight == 0.0) return false;
     stops = static_cast<float>(sum / weight);
     return true;
+}
+
+std::optional<float> metered_ev100(std::span<const glm::vec4> light_nit) {
+    double sum = 0.0;
+    for (const glm::vec4& nit : light_nit) sum += std::max(shading::luminance(glm::vec3(nit)), 0.0f);
+    if (!(sum > 0.0)) return std::nullopt;
+    // The histogram spans 32 stops: about the mean, as the frame's does about its exposure.
+    const float unit_nit = static_cast<float>(sum / static_cast<double>(light_nit.size()));
+    std::array<std::uint32_t, MeteringPass::kBins> bins{};
+    for (const glm::vec4& nit : light_nit) {
+        const float y = shading::luminance(glm::vec3(nit)) / unit_nit;
+        if (!(y > 0.0f)) continue;
+        const float bin = (std::log2(y) - kFirstStop) * kBinsPerStop;
+        ++bins[static_cast<std::size_t>(std::clamp(bin, 0.0f, static_cast<float>(MeteringPass::kBins - 1)))];
+    }
+    float stops = 0.0f;
+    if (!average_log2_luminance(bins, kMeterLow, kMeterHigh, stops)) return std::nullopt;
+    return shading::ev100_from_luminance(std::exp2(stops) * unit_nit);
 }
 
 }  // namespace candela::realtime

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "candela/realtime/frame_resources.hpp"
@@ -28,5 +29,9 @@ class MeteringPass {
 /// metered.
 [[nodiscard]] bool average_log2_luminance(std::span<const std::uint32_t> bins, double low_fraction,
                                           double high_fraction, float& stops);
+
+/// The EV100 that the automatic exposure gives a finished picture (luminance in cd/m^2), by the same
+/// histogram and the same fractions as the frame's; nullopt when it is black.
+[[nodiscard]] std::optional<float> metered_ev100(std::span<const glm::vec4> light_nit);
 
 }  // namespace candela::realtime

@@ -1,0 +1,99 @@
+#include "fingerprint.hpp"
+
+#include <cstring>
+#include <span>
+
+#include "candela/realtime/material_block.hpp"
+#include "candela/version.hpp"
+
+namespace candela::app {
+namespace {
+
+/// FNV-1a over 8-byte words.
+class Digest {
+  public:
+    void add(std::span<const std::byte> bytes) {
+        word(bytes.size());
+        for (std::size_t i = 0; i < bytes.size(); i += 8) {
+            std::uint64_t w = 0;
+            std::memcpy(&w, bytes.data() + i, std::min<std::size_t>(8, bytes.size() - i));
+            word(w);
+        }
+    }
+    void add(const std::string& text) { add(std::as_bytes(std::span(text))); }
+    template <class T>
+    void add(const std::vector<T>& values) {
+        add(std::as_bytes(std::span(values)));
+    }
+    /// Of types without padding.
+    template <class... T>
+    void numbers(const T&... values) {
+        (add(std::as_bytes(std::span(&values, 1))), ...);
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+  private:
+    void word(std::uint64_t w) { hash_ = (hash_ ^ w) * 0x100000001b3u; }
+    std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+void add_materials(const scene::Scene& scene, Digest& digest) {
+    for (const scene::Material& m : scene.materials) {
+        digest.numbers(realtime::material_block(m), realtime::material_features(m), m.alpha_mode,
+                       m.double_sided, m.unlit);
+        for (const scene::TextureRef* ref : realtime::texture_refs(m)) digest.numbers(ref->texture);
+    }
+    for (const scene::Texture& t : scene.textures) {
+        digest.numbers(t.image, t.sampler.wrap_s, t.sampler.wrap_t, t.sampler.magnify, t.sampler.minify,
+                       t.sampler.mip);
+    }
+    for (const scene::Image& image : scene.images) {
+        digest.numbers(image.width, image.height);
+        digest.add(image.rgba);
+    }
+}
+
+void add_geometry(const scene::Scene& scene, Digest& digest) {
+    for (const scene::Mesh& mesh : scene.meshes) {
+        for (const scene::Primitive& p : mesh.primitives) {
+            digest.add(p.positions);
+            digest.add(p.normals);
+            digest.add(p.tangents);
+            digest.add(p.uv[0]);
+            digest.add(p.uv[1]);
+            digest.add(p.colors);
+            digest.add(p.indices);
+            digest.numbers(p.material);
+        }
+    }
+    for (const scene::Instance& i : scene.instances) digest.numbers(i.mesh, i.world);
+}
+
+void add_light(const scene::Scene& scene, Digest& digest) {
+    for (const scene::Light& l : scene.lights) {
+        digest.numbers(l.type, l.position, l.direction, l.color, l.intensity, l.range_m, l.inner_cone_rad,
+                       l.outer_cone_rad);
+    }
+    if (!scene.environment) return;
+    const scene::Environment& e = *scene.environment;
+    digest.numbers(e.width, e.height, e.scale, e.rotation_rad, e.visible);
+    digest.add(e.luminance_nit);
+}
+
+}  // namespace
+
+std::uint64_t fingerprint(const Job& job, const std::string& settings) {
+    Digest digest;
+    digest.add(std::string(version()));
+    digest.add(settings);
+    digest.add(realtime::describe(job.profile));
+    digest.numbers(job.width, job.height);
+    const scene::Camera& c = job.camera;
+    digest.numbers(c.world, c.projection, c.yfov_rad, c.ymag_m);
+    add_geometry(job.scene, digest);
+    add_materials(job.scene, digest);
+    add_light(job.scene, digest);
+    return digest.value();
+}
+
+}  // namespace candela::app

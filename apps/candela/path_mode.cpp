@@ -1,0 +1,272 @@
+#include "path_mode.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <limits>
+#include <thread>
+
+#include "candela/realtime/exposure_control.hpp"
+#include "candela/realtime/metering.hpp"
+#include "candela/scene/error.hpp"
+#include "candela/truth/render_path.hpp"
+#include "fingerprint.hpp"
+#include "shading/exposure.glsl"
+
+namespace candela::app {
+namespace {
+
+using truth::Film;
+using truth::FilmLayout;
+
+constexpr std::uint32_t kDefaultSamples = 256;
+/// When a time or an error says when to stop, samples only have to be enough.
+constexpr std::uint32_t kPlentySamples = 1u << 18;
+
+/// A signal handler can reach nothing but a global.
+std::atomic<bool> g_stop = false;
+
+/// Asks for the picture so far on the first Ctrl-C; the second one kills, as ever.
+class InterruptHandler {
+  public:
+    InterruptHandler() {
+        g_stop = false;
+        previous_ = std::signal(SIGINT, [](int) {
+            g_stop = true;
+            std::signal(SIGINT, SIG_DFL);
+        });
+    }
+    ~InterruptHandler() { std::signal(SIGINT, previous_); }
+    InterruptHandler(const InterruptHandler&) = delete;
+    InterruptHandler& operator=(const InterruptHandler&) = delete;
+
+  private:
+    void (*previous_)(int);
+};
+
+void print_progress(const truth::PathProgress& p) {
+    std::fprintf(stderr, "\rcandela: %5.1f %%, %u samples, error %.4f, %.0f s left   ", 100.0 * p.fraction,
+                 p.samples, p.error, p.seconds_left.value_or(0.0));
+}
+
+shading::BsdfTechniques techniques_of(const realtime::Profile& p) {
+    return {static_cast<int>(p.diffuse), static_cast<int>(p.visibility), static_cast<int>(p.fresnel),
+            static_cast<int>(p.energy)};
+}
+
+truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
+    if (!path.depth_of_field) return {};
+    if (job.camera.projection != scene::Projection::perspective) {
+        throw Error(Fault::usage, "an orthographic camera has no lens", "--depth-of-field");
+    }
+    if (!job.exposure.aperture_f) {
+        throw Error(Fault::usage, "needs an aperture", "--depth-of-field",
+                    "--aperture N --shutter S --iso I");
+    }
+    truth::Lens lens;
+    lens.radius_m = truth::lens_radius_m(job.camera.yfov_rad, *job.exposure.aperture_f);
+    if (path.focus_m) {
+        lens.focus_m = *path.focus_m;
+        return lens;
+    }
+    // Without a distance, on what stands in the middle of the picture.
+    const truth::Geometry geometry(job.scene);
+    const truth::CameraRays rays(job.camera, 1, 1);
+    truth::Hit hit;
+    const truth::Ray ray = rays.through({0.5f, 0.5f}, {0.5f, 0.5f});
+    if (!geometry.intersect(ray, hit)) {
+        throw Error(Fault::usage, "nothing in the middle of the picture to focus on", "--depth-of-field",
+                    "--focus-m D");
+    }
+    lens.focus_m = hit.t;
+    return lens;
+}
+
+std::string settings_text(const PathModeOptions& path, const JobOptions& options,
+                          const truth::PathRenderOptions& o) {
+    return std::to_string(o.samples) + " " + std::to_string(o.path.max_bounces) + " " +
+           std::to_string(o.path.direct_only) + std::to_string(o.path.furnace) + std::to_string(o.aovs) +
+           " " + std::to_string(options.seed) + " " + std::to_string(path.target_error.value_or(-1.0)) + " " +
+           std::to_string(o.lens.radius_m) + " " + std::to_string(o.lens.focus_m);
+}
+
+glm::vec4 mean3(const double* sums, std::uint32_t samples) {
+    const double scale = samples > 0 ? 1.0 / samples : 0.0;
+    return {static_cast<float>(sums[0] * scale), static_cast<float>(sums[1] * scale),
+            static_cast<float>(sums[2] * scale), 1.0f};
+}
+
+/// Calls put(index, sums, samples) for every pixel.
+template <class Put>
+void each_pixel(const Film& film, const Put& put) {
+    std::size_t index = 0;
+    for (std::uint32_t y = 0; y < film.height(); ++y) {
+        for (std::uint32_t x = 0; x < film.width(); ++x, ++index) {
+            put(index, film.pixel(x, y), film.tile_of(x, y).samples);
+        }
+    }
+}
+
+realtime::Still to_still(const Film& film, const Job& job) {
+    realtime::Still still;
+    still.width = film.width();
+    still.height = film.height();
+    const std::size_t pixels = std::size_t{film.width()} * film.height();
+    still.planes.light_nit.resize(pixels);
+    still.planes.ids = film.ids;
+    each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
+        still.planes.light_nit[i] = mean3(p, n);
+    });
+    if (film.layout().aovs) {
+        using realtime::Aov;
+        const auto plane = [&](Aov aov) -> std::vector<glm::vec4>& {
+            auto& out = still.planes.aovs[static_cast<std::size_t>(aov)];
+            out.resize(pixels);
+            return out;
+        };
+        constexpr std::array lobes{Aov::direct_diffuse, Aov::direct_specular, Aov::indirect_diffuse,
+                                   Aov::indirect_specular, Aov::emissive};
+        for (std::size_t l = 0; l < lobes.size(); ++l) {
+            auto& to = plane(lobes[l]);
+            each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
+                to[i] = mean3(p + FilmLayout::lobes + 3 * l, n);
+            });
+        }
+        auto& albedo = plane(Aov::albedo);
+        auto& normal = plane(Aov::normal);
+        auto& distance = plane(Aov::distance);
+        each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
+            albedo[i] = mean3(p + FilmLayout::albedo, n);
+            normal[i] = mean3(p + FilmLayout::normal, n);
+            const double mean_m = n > 0 ? p[FilmLayout::distance] / n : 0.0;
+            distance[i] = glm::vec4(static_cast<float>(mean_m));
+        });
+    }
+    const std::optional<float> metered =
+        job.exposure.automatic() ? realtime::metered_ev100(still.planes.light_nit) : std::nullopt;
+    still.metered = metered.has_value();
+    still.ev100 = job.exposure.automatic() ? metered.value_or(0.0f) : realtime::manual_ev100(job.exposure);
+    still.ev100 -= job.exposure.compensation_ev;
+    still.exposure = shading::exposure_from_ev100(still.ev100);
+    // An unlit colour shows as written whatever the exposure.
+    each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
+        still.planes.light_nit[i] += mean3(p + FilmLayout::unlit, n) / still.exposure;
+    });
+    return still;
+}
+
+std::vector<ExtraLayer> extra_layers(const Film& film) {
+    const std::size_t pixels = std::size_t{film.width()} * film.height();
+    ExtraLayer count{"sample_count", "sample_count.N", std::vector<float>(pixels)};
+    ExtraLayer variance{"variance", "variance.Y", std::vector<float>(pixels)};
+    each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
+        count.plane[i] = static_cast<float>(n);
+        if (n < 2) return;
+        const glm::vec4 rgb = mean3(p, n);
+        const double mean = static_cast<double>(shading::luminance(glm::vec3(rgb)));
+        variance.plane[i] = static_cast<float>(std::max(p[FilmLayout::squared] / n - mean * mean, 0.0) /
+                                               (static_cast<double>(n) - 1.0));
+    });
+    return {std::move(count), std::move(variance)};
+}
+
+std::uint32_t fewest_samples(const Film& film) {
+    std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+    for (const Film::Tile& tile : film.tiles) fewest = std::min(fewest, tile.samples);
+    return fewest;
+}
+
+std::string note_of(const truth::PathRender& render, double error, const std::string& checkpoint) {
+    char text[200];
+    std::snprintf(text, sizeof(text), "%u samples a pixel or more, estimated relative error %.4f",
+                  fewest_samples(render.film), error);
+    std::string note = text;
+    if (render.resumed_samples > 0) note += ", resumed after " + std::to_string(render.resumed_samples);
+    if (render.outcome == truth::PathOutcome::stopped)
+        note += "; stopped, the same command goes on from " + checkpoint;
+    if (render.outcome == truth::PathOutcome::out_of_time)
+        note += "; time is up, the same command goes on from " + checkpoint;
+    return note;
+}
+
+}  // namespace
+
+void add_path_options(CLI::App& command, PathModeOptions& o) {
+    command
+        .add_option("--time-limit", o.time_limit_s, "Path: seconds after which the picture so far will do")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--target-error", o.target_error,
+                    "Path: estimated relative error at which a tile needs no more samples, such as 0.02")
+        ->check(CLI::Range(1e-6, 10.0));
+    command.add_option("--max-bounces", o.max_bounces, "Path: surfaces that light may meet on its way (64)")
+        ->check(CLI::Range(0, 100000));
+    command.add_flag("--direct-only", o.direct_only, "Path: only light straight from its source");
+    command.add_flag("--furnace", o.furnace,
+                     "Path: light everything by a uniform luminance of 1 cd/m2 instead");
+    command.add_flag("--depth-of-field", o.depth_of_field, "Path: blur by the camera's aperture");
+    command
+        .add_option("--focus-m", o.focus_m, "Path: distance in focus in m; the middle of the picture without")
+        ->check(CLI::Range(1e-3f, 1e6f));
+    command.add_option("--checkpoint", o.checkpoint, "Path: file that keeps the work so far (OUTPUT.part)");
+    command
+        .add_option("--checkpoint-every", o.checkpoint_every_s, "Path: seconds between two of its versions")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+}
+
+bool any_path_option(const PathModeOptions& o) {
+    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.furnace ||
+           o.depth_of_field || o.focus_m || !o.checkpoint.empty();
+}
+
+PathModePicture render_by_path(Job& job, const JobOptions& options, const PathModeOptions& path,
+                               const PictureFileOptions& files) {
+    const std::unique_ptr<truth::Team> team = truth::join_team();
+    truth::PathRenderOptions o;
+    o.path.techniques = techniques_of(job.profile);
+    o.path.max_bounces = path.max_bounces.value_or(o.path.max_bounces);
+    o.path.direct_only = path.direct_only;
+    o.path.furnace = path.furnace;
+    o.width = job.width;
+    o.height = job.height;
+    const bool stops_otherwise = path.time_limit_s || path.target_error;
+    o.samples = path.samples.value_or(stops_otherwise ? kPlentySamples : kDefaultSamples);
+    o.time_limit_s = path.time_limit_s;
+    o.target_error = path.target_error;
+    o.seed = options.seed;
+    o.lens = lens_of(job, path);
+    o.aovs = !files.aovs.empty();
+    o.checkpoint = path.checkpoint.empty() ? files.outputs.front() + ".part" : path.checkpoint;
+    o.checkpoint_every_s = path.checkpoint_every_s;
+    o.fingerprint = fingerprint(job, settings_text(path, options, o));
+    const InterruptHandler interrupt;
+    o.stop = &g_stop;
+    const bool terminal = isatty(STDERR_FILENO) != 0 && team->rank() == 0;
+    if (terminal) o.progress = print_progress;
+
+    truth::PathRender render = truth::render_path(job.scene, job.camera, o, *team);
+    if (terminal) std::fprintf(stderr, "\r%78s\r", "");
+    PathModePicture out;
+    out.writes = team->rank() == 0;
+    if (!out.writes) return out;
+    out.finished = render.outcome == truth::PathOutcome::finished;
+    out.error = render.film.picture_error(truth::kErrorFloor * render.film.median_luminance_nit());
+    out.still = to_still(render.film, job);
+    out.info.mode = "path";
+    out.info.device = "CPU, Embree";
+    out.info.samples = fewest_samples(render.film);
+    out.info.seed = options.seed;
+    out.info.settings["max_bounces"] = std::to_string(o.path.max_bounces);
+    if (path.direct_only) out.info.settings["light"] = "direct only";
+    if (path.furnace) out.info.settings["light"] = "furnace";
+    if (o.aovs) out.info.layers = extra_layers(render.film);
+    out.note = note_of(render, out.error, o.checkpoint.string());
+    if (out.finished) out.checkpoint = o.checkpoint.string();
+    return out;
+}
+
+}  // namespace candela::app

@@ -1,0 +1,58 @@
+#include "candela/truth/camera_rays.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "shading/language.glsl"
+
+namespace candela::truth {
+namespace {
+
+/// Uniform on the unit disk without tearing neighbours apart: Shirley & Chiu 1997.
+glm::vec2 concentric_disk(const glm::vec2& u) {
+    const glm::vec2 p = 2.0f * u - 1.0f;
+    if (p.x == 0.0f && p.y == 0.0f) return p;
+    const bool wide = std::abs(p.x) > std::abs(p.y);
+    const float radius = wide ? p.x : p.y;
+    const float angle =
+        wide ? 0.25f * shading::PI * (p.y / p.x) : 0.5f * shading::PI - 0.25f * shading::PI * (p.x / p.y);
+    return radius * glm::vec2(std::cos(angle), std::sin(angle));
+}
+
+}  // namespace
+
+float lens_radius_m(float yfov_rad, float aperture_f) {
+    const float focal_m = 0.5f * 0.024f / std::tan(0.5f * yfov_rad);
+    return 0.5f * focal_m / aperture_f;
+}
+
+CameraRays::CameraRays(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
+                       const Lens& lens)
+    : camera_(camera), lens_(lens) {
+    const float half = camera.projection == scene::Projection::perspective ? std::tan(0.5f * camera.yfov_rad)
+                                                                           : camera.ymag_m;
+    half_size_ = {half * static_cast<float>(width) / static_cast<float>(height), half};
+    pixel_scale_ = 2.0f / glm::vec2(static_cast<float>(width), static_cast<float>(height));
+}
+
+Ray CameraRays::through(const glm::vec2& pixel, const glm::vec2& lens_u) const {
+    const glm::vec2 at = (pixel * pixel_scale_ - 1.0f) * half_size_ * glm::vec2(1.0f, -1.0f);
+    const glm::mat3 turn(camera_.world);
+    Ray ray;
+    ray.origin = glm::vec3(camera_.world[3]);
+    if (camera_.projection == scene::Projection::orthographic) {
+        ray.origin += turn * glm::vec3(at, 0.0f);
+        ray.direction = glm::normalize(-turn[2]);
+        return ray;
+    }
+    glm::vec3 direction(at, -1.0f);
+    if (lens_.radius_m > 0.0f) {
+        const glm::vec3 on_lens(concentric_disk(lens_u) * lens_.radius_m, 0.0f);
+        direction = direction * lens_.focus_m - on_lens;
+        ray.origin += turn * on_lens;
+    }
+    ray.direction = glm::normalize(turn * direction);
+    return ray;
+}
+
+}  // namespace candela::truth

@@ -1,0 +1,108 @@
+#include "candela/truth/environment_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "shading/environment_sampling.glsl"
+
+namespace candela::truth {
+namespace {
+
+/// The interval of a cumulative table that holds u, and where u lies within it.
+struct Interval {
+    int index = 0;
+    float fraction = 0.0f;
+};
+
+Interval find(std::span<const float> cdf, float u) {
+    const auto above = std::upper_bound(cdf.begin(), cdf.end() - 1, u);
+    auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - cdf.begin(), 1) - 1);
+    // Empty intervals are never meant: rounding may have put u on the edge of one.
+    while (i > 0 && cdf[i + 1] <= cdf[i]) --i;
+    const float width = cdf[i + 1] - cdf[i];
+    const float fraction = width > 0.0f ? (u - cdf[i]) / width : 0.5f;
+    return {static_cast<int>(i), std::clamp(fraction, 0.0f, 0.99999994f)};
+}
+
+}  // namespace
+
+EnvironmentLight::EnvironmentLight(const scene::Environment& environment)
+    : environment_(&environment),
+      distribution_(bake::environment_distribution(environment)),
+      size_(static_cast<int>(environment.width), static_cast<int>(environment.height)) {
+    lit_ = environment.scale > 0.0f &&
+           std::any_of(environment.luminance_nit.begin(), environment.luminance_nit.end(),
+                       [](const glm::vec3& t) { return t.x > 0.0f || t.y > 0.0f || t.z > 0.0f; });
+}
+
+EnvironmentLight::EnvironmentLight(float luminance_nit)
+    : constant_nit_(luminance_nit), lit_(luminance_nit > 0.0f) {}
+
+glm::vec3 EnvironmentLight::luminance_nit(const glm::vec3& direction) const {
+    if (!environment_) return glm::vec3(constant_nit_);
+    const glm::vec2 uv =
+        shading::equirect_uv(shading::rotate_about_y(direction, -environment_->rotation_rad));
+    const float x = uv.x * static_cast<float>(size_.x) - 0.5f;
+    const float y = uv.y * static_cast<float>(size_.y) - 0.5f;
+    const float left = std::floor(x);
+    const float top = std::floor(y);
+    const float fx = x - left;
+    const float fy = y - top;
+    const auto column = [&](int c) { return static_cast<std::size_t>((c % size_.x + size_.x) % size_.x); };
+    const auto row = [&](int r) {
+        return static_cast<std::size_t>(std::clamp(r, 0, size_.y - 1)) * static_cast<std::size_t>(size_.x);
+    };
+    const std::size_t x0 = column(static_cast<int>(left));
+    const std::size_t x1 = column(static_cast<int>(left) + 1);
+    const std::size_t y0 = row(static_cast<int>(top));
+    const std::size_t y1 = row(static_cast<int>(top) + 1);
+    const auto& t = environment_->luminance_nit;
+    const glm::vec3 upper = t[y0 + x0] * (1.0f - fx) + t[y0 + x1] * fx;
+    const glm::vec3 lower = t[y1 + x0] * (1.0f - fx) + t[y1 + x1] * fx;
+    return (upper * (1.0f - fy) + lower * fy) * environment_->scale;
+}
+
+float EnvironmentLight::texel_pdf(const glm::ivec2& texel) const {
+    const auto row = static_cast<std::size_t>(texel.y);
+    const float* columns =
+        distribution_.column_cdf.data() + row * static_cast<std::size_t>(size_.x + 1) + texel.x;
+    const float share =
+        (distribution_.row_cdf[row + 1] - distribution_.row_cdf[row]) * (columns[1] - columns[0]);
+    return shading::environment_texel_pdf(share, texel.y, size_);
+}
+
+DirectionSample EnvironmentLight::sample(const glm::vec2& u) const {
+    DirectionSample out;
+    if (!lit_) return out;
+    if (!environment_) {
+        const float z = 1.0f - 2.0f * u.x;
+        const float sine = std::sqrt(std::max(1.0f - z * z, 0.0f));
+        const float phi = shading::TWO_PI * u.y;
+        return {{sine * std::cos(phi), z, sine * std::sin(phi)},
+                glm::vec3(constant_nit_),
+                1.0f / (4.0f * shading::PI)};
+    }
+    const Interval row = find(distribution_.row_cdf, u.y);
+    const std::span<const float> columns(
+        distribution_.column_cdf.data() +
+            static_cast<std::size_t>(row.index) * static_cast<std::size_t>(size_.x + 1),
+        static_cast<std::size_t>(size_.x + 1));
+    const Interval column = find(columns, u.x);
+    const glm::ivec2 texel(column.index, row.index);
+    const glm::vec3 local =
+        shading::environment_texel_direction(texel, {column.fraction, row.fraction}, size_);
+    out.direction = shading::rotate_about_y(local, environment_->rotation_rad);
+    out.luminance_nit = luminance_nit(out.direction);
+    out.pdf = texel_pdf(texel);
+    return out;
+}
+
+float EnvironmentLight::pdf(const glm::vec3& direction) const {
+    if (!lit_) return 0.0f;
+    if (!environment_) return 1.0f / (4.0f * shading::PI);
+    return texel_pdf(
+        shading::environment_texel(shading::rotate_about_y(direction, -environment_->rotation_rad), size_));
+}
+
+}  // namespace candela::truth

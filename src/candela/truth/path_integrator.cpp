@@ -1,0 +1,284 @@
+#include "candela/truth/path_integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace candela::truth {
+namespace {
+
+/// A stack of this many transparent sheets is taken as opaque: rays must end.
+constexpr int kMaxSheets = 512;
+/// Paths are cut by chance from here on.
+constexpr int kSureBounces = 3;
+
+bool black(const glm::vec3& c) {
+    return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
+}
+
+glm::vec3 share(const glm::vec3& part, const glm::vec3& whole) {
+    glm::vec3 out;
+    for (int c = 0; c < 3; ++c) out[c] = whole[c] > 0.0f ? part[c] / whole[c] : 0.0f;
+    return out;
+}
+
+EnvironmentLight environment_of(const scene::Scene& scene, const PathOptions& options) {
+    if (options.furnace) return EnvironmentLight(1.0f);
+    if (!scene.environment || scene.environment->luminance_nit.empty()) return {};
+    return EnvironmentLight(*scene.environment);
+}
+
+}  // namespace
+
+/// A surface on the path, ready to be lit.
+struct PathIntegrator::Vertex {
+    SurfacePoint point;
+    glm::vec3 origin{0.0f};  ///< of rays that leave it
+    glm::vec3 v{0.0f};       ///< unit, towards where the path came from
+    glm::vec4 dfg{0.0f};
+    shading::PreparedSurface prepared{};
+    shading::BsdfLobes lobes{};
+};
+
+/// A path under way.
+struct PathIntegrator::Walk {
+    Ray ray;
+    PathResult result;
+    glm::vec3 throughput{1.0f};
+    glm::vec3 diffuse_share{0.0f};  ///< of the first surface's lobes, per channel; the rest is specular
+    glm::vec3 last_normal{0.0f};
+    float last_pdf = 0.0f;  ///< of the direction that the path took; 1/sr
+    int bounces = 0;
+
+    /// Light that reaches the camera by way of surfaces met so far. `direct`: it left its source towards the
+    /// first.
+    void add(const glm::vec3& light, bool direct) {
+        result.luminance_nit += light;
+        const glm::vec3 diffuse = light * diffuse_share;
+        (direct ? result.direct_diffuse : result.indirect_diffuse) += diffuse;
+        (direct ? result.direct_specular : result.indirect_specular) += light - diffuse;
+    }
+};
+
+PathIntegrator::PathIntegrator(const scene::Scene& scene, const PathOptions& options)
+    : scene_(&scene),
+      options_(options),
+      geometry_(scene),
+      surfaces_(scene, geometry_),
+      environment_(environment_of(scene, options)),
+      albedo_(options.techniques.specular_visibility == shading::kVisibilitySchlickSmith),
+      any_transparency_(surfaces_.any_transparency()),
+      background_visible_(options.furnace || (scene.environment && scene.environment->visible)) {
+    if (!options.furnace) lights_.emplace(scene, geometry_, surfaces_);
+}
+
+bool PathIntegrator::next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const {
+    const Ray start = ray;
+    float walked_m = 0.0f;
+    for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
+        if (!geometry_.intersect(ray, hit)) return false;
+        walked_m += hit.t;
+        const bool passes =
+            (bounce == 0 && surfaces_.culled(ray, hit)) ||
+            (any_transparency_ &&
+             surfaces_.transparency(hit) > sampler.loose(bounce, static_cast<std::uint32_t>(sheet)));
+        if (!passes) {
+            ray.origin = start.origin;
+            hit.t = walked_m;
+            return true;
+        }
+        glm::vec3 corner[3];
+        geometry_.corners(hit.part, hit.triangle, corner);
+        glm::vec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+        n = glm::normalize(glm::dot(n, ray.direction) > 0.0f ? n : -n);
+        const glm::vec3 p = ray.origin + ray.direction * hit.t;
+        ray.origin = offset_from_surface(p, n);
+    }
+    return false;
+}
+
+float PathIntegrator::transmitted(const Ray& ray) const {
+    if (!any_transparency_) return geometry_.occluded(ray) ? 0.0f : 1.0f;
+    float through = 1.0f;
+    Ray rest = ray;
+    for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
+        Hit hit;
+        if (!geometry_.intersect(rest, hit)) return through;
+        through *= surfaces_.transparency(hit);
+        if (through <= 0.0f) return 0.0f;
+        glm::vec3 corner[3];
+        geometry_.corners(hit.part, hit.triangle, corner);
+        glm::vec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+        n = glm::normalize(glm::dot(n, rest.direction) > 0.0f ? n : -n);
+        rest.origin = offset_from_surface(rest.origin + rest.direction * hit.t, n);
+        rest.t_max -= hit.t;
+        if (rest.t_max <= 0.0f) return through;
+    }
+    return 0.0f;
+}
+
+void PathIntegrator::shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse,
+                           glm::vec3& specular) const {
+    const SurfacePoint& p = vertex.point;
+    const float NoL = glm::dot(p.normal, l);
+    if (NoL <= 0.0f) {
+        diffuse = specular = glm::vec3(0.0f);
+        return;
+    }
+    if (p.layered) {
+        shading::evaluate_layered(p.surface, options_.techniques, p.normal, p.tangent, p.bitangent,
+                                  p.coat_normal, vertex.v, l, vertex.dfg, diffuse, specular);
+    } else {
+        const glm::vec3 h = glm::normalize(vertex.v + l);
+        const glm::vec3 nxh = glm::cross(p.normal, h);
+        shading::evaluate_prepared(vertex.prepared, options_.techniques, NoL,
+                                   shading::saturate(glm::dot(p.normal, h)), glm::dot(nxh, nxh),
+                                   shading::saturate(glm::dot(l, h)), diffuse, specular);
+    }
+    diffuse *= NoL;
+    specular *= NoL;
+}
+
+void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSample& light,
+                               bool environment) const {
+    if (!(light.pdf > 0.0f) || black(light.light)) return;
+    glm::vec3 diffuse;
+    glm::vec3 specular;
+    shade(vertex, light.direction, diffuse, specular);
+    const glm::vec3 both = diffuse + specular;
+    if (black(both)) return;
+    float weight = 1.0f / light.pdf;
+    if (!light.delta) {
+        const SurfacePoint& p = vertex.point;
+        weight *= shading::power_heuristic(
+            light.pdf, shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
+                                         p.coat_normal, vertex.v, light.direction));
+    }
+    Ray shadow{vertex.origin, light.direction, light.distance_m};
+    if (std::isfinite(light.distance_m)) shadow.t_max *= 1.0f - 1e-4f;
+    const float visible = transmitted(shadow);
+    if (visible <= 0.0f) return;
+    if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
+    walk.add(walk.throughput * both * light.light * (weight * visible), walk.bounces == 0 && !environment);
+}
+
+void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const {
+    using Slot = PathSampler::Slot;
+    const glm::vec2 choice = sampler.pair(walk.bounces, Slot::light_choice);
+    if (!environment_.black()) {
+        const DirectionSample s = environment_.sample(sampler.pair(walk.bounces, Slot::environment));
+        LightSample light;
+        light.direction = s.direction;
+        light.light = s.luminance_nit;
+        light.pdf = s.pdf;
+        add_light(walk, vertex, light, true);
+    }
+    if (!lights_) return;
+    if (lights_->any_near()) {
+        add_light(walk, vertex,
+                  lights_->sample_near(vertex.origin, vertex.point.normal, choice.x,
+                                       sampler.pair(walk.bounces, Slot::near_light)),
+                  false);
+    }
+    if (lights_->any_directional()) {
+        add_light(walk, vertex, lights_->sample_directional(vertex.point.normal, choice.y), false);
+    }
+}
+
+void PathIntegrator::add_emission(Walk& walk, const SurfacePoint& point, const Hit& hit) const {
+    if (options_.furnace || black(point.emissive_nit)) return;
+    const glm::vec3 light = walk.throughput * point.emissive_nit;
+    if (walk.bounces == 0) {
+        walk.result.luminance_nit += light;
+        walk.result.emissive += light;
+        return;
+    }
+    const float weight =
+        shading::power_heuristic(walk.last_pdf, lights_->pdf_triangle(walk.ray, walk.last_normal, hit));
+    walk.add(light * weight, walk.bounces == 1);
+}
+
+void PathIntegrator::add_environment(Walk& walk) const {
+    if (environment_.black()) return;
+    const glm::vec3 light = walk.throughput * environment_.luminance_nit(walk.ray.direction);
+    if (walk.bounces == 0) {
+        if (background_visible_) walk.result.luminance_nit += light;
+        return;
+    }
+    walk.add(light * shading::power_heuristic(walk.last_pdf, environment_.pdf(walk.ray.direction)), false);
+}
+
+/// Goes on in a direction drawn from the material; false when the path ends here.
+bool PathIntegrator::bounce(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const {
+    using Slot = PathSampler::Slot;
+    const SurfacePoint& p = vertex.point;
+    const glm::vec2 choice = sampler.pair(walk.bounces, Slot::bsdf_choice);
+    const glm::vec3 l = glm::normalize(shading::sample_bsdf(vertex.lobes, p.surface, p.normal, p.tangent,
+                                                            p.bitangent, p.coat_normal, vertex.v, choice.x,
+                                                            sampler.pair(walk.bounces, Slot::bsdf)));
+    const float pdf = shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
+                                        p.coat_normal, vertex.v, l);
+    if (!(pdf > 0.0f)) return false;
+    glm::vec3 diffuse;
+    glm::vec3 specular;
+    shade(vertex, l, diffuse, specular);
+    const glm::vec3 both = diffuse + specular;
+    if (black(both)) return false;
+    if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
+    walk.throughput *= both / pdf;
+    if (walk.bounces >= kSureBounces) {
+        const float survive = std::min(shading::max_component(walk.throughput), 0.97f);
+        if (choice.y >= survive) return false;
+        walk.throughput /= survive;
+    }
+    walk.ray = {vertex.origin, l};
+    walk.last_pdf = pdf;
+    walk.last_normal = p.normal;
+    ++walk.bounces;
+    return true;
+}
+
+PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampler) const {
+    Walk walk;
+    walk.ray = camera_ray;
+    const int last = options_.direct_only ? std::min(1, options_.max_bounces) : options_.max_bounces;
+    while (true) {
+        Hit hit;
+        if (!next_surface(walk.ray, hit, sampler, walk.bounces)) {
+            add_environment(walk);
+            break;
+        }
+        Vertex vertex;
+        vertex.point = surfaces_.read(walk.ray, hit);
+        SurfacePoint& p = vertex.point;
+        if (walk.bounces == 0) {
+            walk.result.distance_m = hit.t;
+            walk.result.object_id = geometry_.parts()[hit.part].instance + 1;
+            walk.result.material_id = geometry_.parts()[hit.part].material + 1;
+            walk.result.albedo = p.unlit ? p.unlit_color : p.surface.base_color;
+            walk.result.normal = p.normal;
+            if (p.unlit) walk.result.unlit = p.unlit_color;
+        }
+        if (p.unlit) break;
+        add_emission(walk, p, hit);
+        if (walk.bounces >= last) break;
+        vertex.v = -walk.ray.direction;
+        vertex.origin = offset_from_surface(p.smooth_position, p.geometric_normal);
+        const float NoV = std::clamp(glm::dot(p.normal, vertex.v), 1.0e-4f, 1.0f);
+        vertex.dfg = albedo_.read(NoV, p.surface.perceptual_roughness);
+        glm::vec4 coat_dfg(0.0f);
+        float coat_NoV = NoV;
+        if (p.surface.coat > 0.0f) {
+            coat_NoV = std::clamp(glm::dot(p.coat_normal, vertex.v), 1.0e-4f, 1.0f);
+            coat_dfg = albedo_.read(coat_NoV, p.surface.coat_perceptual_roughness);
+        }
+        vertex.prepared = shading::prepare_surface(p.surface, options_.techniques, NoV, vertex.dfg);
+        vertex.lobes =
+            shading::bsdf_lobes(p.surface, options_.techniques, NoV, coat_NoV, vertex.dfg, coat_dfg);
+        add_lights(walk, vertex, sampler);
+        if (!bounce(walk, vertex, sampler)) break;
+    }
+    return walk.result;
+}
+
+}  // namespace candela::truth

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+
+#include "candela/truth/albedo_table.hpp"
+#include "candela/truth/environment_light.hpp"
+#include "candela/truth/light_sampler.hpp"
+#include "candela/truth/path_sampler.hpp"
+#include "candela/truth/surface_point.hpp"
+#include "shading/bsdf_sampling.glsl"
+
+namespace candela::truth {
+
+struct PathOptions {
+    shading::BsdfTechniques techniques{};  ///< of the material model: the profile's
+    int max_bounces = 64;                  ///< surfaces after the first that a path may meet
+    bool direct_only = false;  ///< light that comes straight from a source, as area-light techniques see it
+    bool furnace = false;      ///< a uniform environment of luminance 1 is the only light
+};
+
+/// What one path found, in cd/m^2 but where said otherwise. The four lobes are as the real-time frame has
+/// them: direct from punctual lights and emissive surfaces, indirect from the environment and from other
+/// surfaces.
+struct PathResult {
+    glm::vec3 luminance_nit{0.0f};
+    glm::vec3 direct_diffuse{0.0f};
+    glm::vec3 direct_specular{0.0f};
+    glm::vec3 indirect_diffuse{0.0f};
+    glm::vec3 indirect_specular{0.0f};
+    glm::vec3 emissive{0.0f};
+    glm::vec3 unlit{0.0f};  ///< display-referred colour of a surface without light
+    glm::vec3 albedo{0.0f};
+    glm::vec3 normal{0.0f};
+    float distance_m = 0.0f;
+    std::uint32_t object_id = 0;    ///< instance + 1; 0: nothing hit
+    std::uint32_t material_id = 0;  ///< material + 1
+};
+
+/// Unbiased unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at
+/// each surface one draw each from the environment, the near lights, the directional lights and the material.
+/// May be used from several threads at once; the scene must outlive it.
+class PathIntegrator {
+  public:
+    PathIntegrator(const scene::Scene& scene, const PathOptions& options);
+
+    [[nodiscard]] PathResult trace(const Ray& camera_ray, const PathSampler& sampler) const;
+
+    [[nodiscard]] const Geometry& geometry() const noexcept { return geometry_; }
+
+  private:
+    struct Vertex;
+    struct Walk;
+    [[nodiscard]] bool next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const;
+    /// Part of the light that gets through to `distance_m` along the ray: 0 behind anything opaque.
+    [[nodiscard]] float transmitted(const Ray& ray) const;
+    void shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse, glm::vec3& specular) const;
+    void add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const;
+    void add_light(Walk& walk, const Vertex& vertex, const LightSample& light, bool environment) const;
+    void add_emission(Walk& walk, const SurfacePoint& point, const Hit& hit) const;
+    void add_environment(Walk& walk) const;
+    [[nodiscard]] bool bounce(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const;
+
+    const scene::Scene* scene_;
+    PathOptions options_;
+    Geometry geometry_;
+    SurfaceReader surfaces_;
+    EnvironmentLight environment_;
+    std::optional<LightSampler> lights_;
+    AlbedoTable albedo_;
+    bool any_transparency_;
+    bool background_visible_;
+};
+
+}  // namespace candela::truth

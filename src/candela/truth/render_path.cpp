@@ -1,0 +1,264 @@
+#include "candela/truth/render_path.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+
+#include "candela/truth/checkpoint.hpp"
+
+namespace candela::truth {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Whether more is wanted of a tile is decided after this many blocks, for any number of processes.
+constexpr std::uint32_t kRoundBlocks = 8;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// One picture under way. Blocks of samples are computed tile by tile on all cores; each process of a team
+/// takes every size-th block, and rank 0 commits them in their order.
+class PathJob {
+  public:
+    PathJob(const scene::Scene& scene, const scene::Camera& camera, const PathRenderOptions& options,
+            Team& team)
+        : options_(options),
+          team_(team),
+          integrator_(scene, options.path),
+          rays_(camera, options.width, options.height, options.lens),
+          film_(options.width, options.height, FilmLayout{options.aovs}) {}
+
+    PathRender run();
+
+  private:
+    [[nodiscard]] std::uint32_t total_blocks() const {
+        return (options_.samples + Film::block_samples - 1) / Film::block_samples;
+    }
+    [[nodiscard]] std::uint32_t samples_of(std::uint32_t block) const {
+        return std::min(Film::block_samples, options_.samples - block * Film::block_samples);
+    }
+    [[nodiscard]] std::uint32_t first_block() const;
+    [[nodiscard]] std::vector<std::uint32_t> tiles_wanting(std::uint32_t block) const;
+    [[nodiscard]] bool interrupted();
+    void share_tiles();
+    void compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums);
+    void alone(std::uint32_t block);
+    void together(std::uint32_t begin, std::uint32_t end);
+    void after_commit();
+    void judge_tiles();
+    [[nodiscard]] double floor_nit() const { return kErrorFloor * film_.median_luminance_nit(); }
+
+    const PathRenderOptions& options_;
+    Team& team_;
+    PathIntegrator integrator_;
+    CameraRays rays_;
+    Film film_;
+    PathOutcome outcome_ = PathOutcome::finished;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_checkpoint_ = start_;
+    Clock::time_point last_progress_ = start_;
+    std::uint64_t committed_ = 0;  ///< tile blocks, by this run
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
+std::uint32_t PathJob::first_block() const {
+    std::uint32_t first = total_blocks();
+    for (const Film::Tile& tile : film_.tiles) {
+        if (tile.active) first = std::min(first, tile.blocks);
+    }
+    return first;
+}
+
+std::vector<std::uint32_t> PathJob::tiles_wanting(std::uint32_t block) const {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t t = 0; t < film_.tile_count(); ++t) {
+        if (film_.tiles[t].active && film_.tiles[t].blocks <= block) out.push_back(t);
+    }
+    return out;
+}
+
+bool PathJob::interrupted() {
+    if (options_.stop && options_.stop->load()) outcome_ = PathOutcome::stopped;
+    if (options_.time_limit_s && seconds_since(start_) > *options_.time_limit_s)
+        outcome_ = PathOutcome::out_of_time;
+    return outcome_ != PathOutcome::finished;
+}
+
+void PathJob::share_tiles() {
+    team_.broadcast(std::as_writable_bytes(std::span(film_.tiles)));
+    std::int32_t outcome = static_cast<std::int32_t>(outcome_);
+    team_.broadcast(std::as_writable_bytes(std::span(&outcome, 1)));
+    outcome_ = static_cast<PathOutcome>(outcome);
+}
+
+void PathJob::compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums) {
+    const Film::Rect r = film_.rect(tile);
+    const std::size_t channels = film_.layout().channels();
+    float* pixel = sums.data();
+    for (std::uint32_t y = r.begin.y; y < r.end.y; ++y) {
+        for (std::uint32_t x = r.begin.x; x < r.end.x; ++x, pixel += channels) {
+            for (std::uint32_t i = 0; i < samples_of(block); ++i) {
+                const std::uint32_t sample = block * Film::block_samples + i;
+                const PathSampler sampler({x, y}, sample, options_.seed);
+                const glm::vec2 lens = options_.lens.radius_m > 0.0f ? sampler.lens() : glm::vec2(0.5f);
+                const PathResult path =
+                    integrator_.trace(rays_.through(glm::vec2(x, y) + sampler.pixel(), lens), sampler);
+                film_.layout().add(path, pixel);
+                if (sample == 0)
+                    film_.ids[std::size_t{y} * film_.width() + x] = {path.object_id, path.material_id};
+            }
+        }
+    }
+}
+
+void PathJob::after_commit() {
+    ++committed_;
+    if (!options_.checkpoint.empty() && seconds_since(last_checkpoint_) > options_.checkpoint_every_s) {
+        save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
+        last_checkpoint_ = Clock::now();
+    }
+    if (!options_.progress || seconds_since(last_progress_) < 0.25) return;
+    last_progress_ = Clock::now();
+    PathProgress progress;
+    std::uint64_t done = 0;
+    std::uint64_t wanted = 0;
+    progress.samples = options_.samples;
+    for (const Film::Tile& tile : film_.tiles) {
+        done += tile.blocks;
+        wanted += tile.active ? total_blocks() : tile.blocks;
+        progress.samples = std::min(progress.samples, tile.samples);
+    }
+    progress.fraction = static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(wanted, 1));
+    const double elapsed_s = seconds_since(start_);
+    double left_s = elapsed_s / static_cast<double>(committed_) * static_cast<double>(wanted - done);
+    if (options_.time_limit_s) {
+        left_s = std::min(left_s, *options_.time_limit_s - elapsed_s);
+        progress.fraction = std::max(progress.fraction, elapsed_s / *options_.time_limit_s);
+    }
+    progress.seconds_left = left_s;
+    if (progress.samples >= 2) progress.error = film_.picture_error(floor_nit());
+    options_.progress(progress);
+}
+
+void PathJob::alone(std::uint32_t block) {
+    std::vector<std::uint32_t> wanting = tiles_wanting(block);
+    std::atomic<bool> enough = false;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, wanting.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                if (enough) return;
+                const std::uint32_t tile = wanting[i];
+                std::vector<float> sums(film_.rect(tile).pixels() * film_.layout().channels());
+                compute(tile, block, sums);
+                const std::lock_guard lock(mutex_);
+                try {
+                    film_.commit(tile, sums, samples_of(block));
+                    after_commit();
+                } catch (...) {
+                    if (!error_) error_ = std::current_exception();
+                    enough = true;
+                }
+                if (interrupted()) enough = true;
+            }
+        },
+        tbb::simple_partitioner());
+    if (error_) std::rethrow_exception(error_);
+}
+
+void PathJob::together(std::uint32_t begin, std::uint32_t end) {
+    const auto offsets_of = [&](const std::vector<std::uint32_t>& wanting) {
+        std::vector<std::size_t> offsets{0};
+        for (const std::uint32_t t : wanting) {
+            offsets.push_back(offsets.back() + film_.rect(t).pixels() * film_.layout().channels());
+        }
+        return offsets;
+    };
+    const std::uint32_t own = begin + static_cast<std::uint32_t>(team_.rank());
+    std::vector<float> sums;
+    if (own < end) {
+        const std::vector<std::uint32_t> wanting = tiles_wanting(own);
+        const std::vector<std::size_t> offsets = offsets_of(wanting);
+        sums.assign(offsets.back(), 0.0f);
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, wanting.size(), 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    compute(wanting[i], own,
+                            std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i]));
+                }
+            },
+            tbb::simple_partitioner());
+        if (team_.rank() != 0) team_.send(sums);
+    }
+    if (team_.rank() != 0) return;
+    for (std::uint32_t block = begin; block < end; ++block) {
+        const std::vector<std::uint32_t> wanting = tiles_wanting(block);
+        const std::vector<std::size_t> offsets = offsets_of(wanting);
+        if (block != own) {
+            sums.resize(offsets.back());
+            team_.receive(static_cast<int>(block - begin), sums);
+        }
+        for (std::size_t i = 0; i < wanting.size(); ++i) {
+            film_.commit(wanting[i], std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i]),
+                         samples_of(block));
+        }
+        after_commit();
+    }
+    (void)interrupted();
+}
+
+void PathJob::judge_tiles() {
+    if (!options_.target_error) return;
+    const double floor = floor_nit();
+    for (std::uint32_t t = 0; t < film_.tile_count(); ++t) {
+        if (film_.tile_error(t, floor) < *options_.target_error) film_.tiles[t].active = false;
+    }
+}
+
+PathRender PathJob::run() {
+    const bool keeps_film = team_.rank() == 0;
+    std::uint32_t resumed = 0;
+    if (keeps_film && !options_.checkpoint.empty() &&
+        load_checkpoint(options_.checkpoint, options_.fingerprint, film_)) {
+        resumed = first_block() * Film::block_samples;
+    }
+    share_tiles();
+    const auto size = static_cast<std::uint32_t>(team_.size());
+    for (std::uint32_t block = first_block(); block < total_blocks(); block = first_block()) {
+        const std::uint32_t round_end = std::min((block / kRoundBlocks + 1) * kRoundBlocks, total_blocks());
+        while (block < round_end && outcome_ == PathOutcome::finished) {
+            if (size == 1) {
+                alone(block);
+                ++block;
+            } else {
+                const std::uint32_t end = std::min(block + size, round_end);
+                together(block, end);
+                block = end;
+                share_tiles();
+            }
+        }
+        if (outcome_ != PathOutcome::finished) break;
+        if (keeps_film) judge_tiles();
+        share_tiles();
+    }
+    if (keeps_film && outcome_ != PathOutcome::finished && !options_.checkpoint.empty()) {
+        save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
+    }
+    return {std::move(film_), outcome_, resumed};
+}
+
+}  // namespace
+
+PathRender render_path(const scene::Scene& scene, const scene::Camera& camera,
+                       const PathRenderOptions& options, Team& team) {
+    return PathJob(scene, camera, options, team).run();
+}
+
+}  // namespace candela::truth

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace candela::truth {
+
+/// The processes that share one picture. Rank 0 keeps the film; the others send it what they sum up.
+class Team {
+  public:
+    virtual ~Team() = default;
+    [[nodiscard]] virtual int rank() const = 0;
+    [[nodiscard]] virtual int size() const = 0;
+    /// To rank 0, from another.
+    virtual void send(std::span<const float> sums) = 0;
+    /// From `rank`, at rank 0. The sizes have to agree.
+    virtual void receive(int rank, std::span<float> sums) = 0;
+    /// What rank 0 holds becomes what all hold.
+    virtual void broadcast(std::span<std::byte> bytes) = 0;
+};
+
+/// The team that this process was started in: of `mpirun`, when it was and the MPI module is installed beside
+/// the library; else a team of one. Throws Error (Fault::machine) when it was started by mpirun and the
+/// module is missing.
+[[nodiscard]] std::unique_ptr<Team> join_team();
+
+}  // namespace candela::truth
