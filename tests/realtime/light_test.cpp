@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "shading/exposure.glsl"
-#include "test_scenes.hpp"
+#include "render_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;

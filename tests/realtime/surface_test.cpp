@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "candela/realtime/opacity.hpp"
-#include "test_scenes.hpp"
+#include "render_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;

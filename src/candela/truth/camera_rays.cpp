@@ -55,4 +55,10 @@ Ray CameraRays::through(const glm::vec2& pixel, const glm::vec2& lens_u) const {
     return ray;
 }
 
+float CameraRays::depth_m(const Ray& ray, float distance_m) const {
+    if (!std::isfinite(distance_m)) return distance_m;
+    const glm::vec3 backward = glm::normalize(glm::vec3(camera_.world[2]));
+    return glm::dot(glm::vec3(camera_.world[3]) - (ray.origin + ray.direction * distance_m), backward);
+}
+
 }  // namespace candela::truth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "candela/truth/albedo_table.hpp"
@@ -31,7 +32,7 @@ struct PathResult {
     glm::vec3 unlit{0.0f};  ///< display-referred colour of a surface without light
     glm::vec3 albedo{0.0f};
     glm::vec3 normal{0.0f};
-    float distance_m = 0.0f;
+    float distance_m = std::numeric_limits<float>::infinity();  ///< along the camera ray
     std::uint32_t object_id = 0;    ///< instance + 1; 0: nothing hit
     std::uint32_t material_id = 0;  ///< material + 1
 };

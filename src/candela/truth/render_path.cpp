@@ -107,8 +107,9 @@ void PathJob::compute(std::uint32_t tile, std::uint32_t block, std::span<float> 
                 const std::uint32_t sample = block * Film::block_samples + i;
                 const PathSampler sampler({x, y}, sample, options_.seed);
                 const glm::vec2 lens = options_.lens.radius_m > 0.0f ? sampler.lens() : glm::vec2(0.5f);
-                const PathResult path =
-                    integrator_.trace(rays_.through(glm::vec2(x, y) + sampler.pixel(), lens), sampler);
+                const Ray ray = rays_.through(glm::vec2(x, y) + sampler.pixel(), lens);
+                PathResult path = integrator_.trace(ray, sampler);
+                path.distance_m = rays_.depth_m(ray, path.distance_m);
                 film_.layout().add(path, pixel);
                 if (sample == 0)
                     film_.ids[std::size_t{y} * film_.width() + x] = {path.object_id, path.material_id};
@@ -123,7 +124,7 @@ void PathJob::after_commit() {
         save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
         last_checkpoint_ = Clock::now();
     }
-    if (!options_.progress || seconds_since(last_progress_) < 0.25) return;
+    if (!options_.progress || seconds_since(last_progress_) < options_.progress_every_s) return;
     last_progress_ = Clock::now();
     PathProgress progress;
     std::uint64_t done = 0;

@@ -36,6 +36,7 @@ struct PathRenderOptions {
                                               ///< included; a checkpoint of another is not used
     const std::atomic<bool>* stop = nullptr;  ///< set by a signal: finish the tiles under way and return
     std::function<void(const PathProgress&)> progress;
+    double progress_every_s = 0.25;
 };
 
 enum class PathOutcome : std::uint8_t { finished, out_of_time, stopped };

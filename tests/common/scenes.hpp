@@ -3,8 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "candela/gpu/device.hpp"
-#include "candela/realtime/renderer.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::test {
@@ -94,25 +92,6 @@ inline scene::Environment constant(float nit) {
     e.height = 16;
     e.luminance_nit.assign(std::size_t{32} * 16, glm::vec3(nit));
     return e;
-}
-
-inline gpu::DeviceOptions validated() {
-    gpu::DeviceOptions options;
-    options.validation = true;
-    return options;
-}
-
-inline realtime::RendererOptions options(const std::string& profile, std::uint32_t size = 32,
-                                         std::uint32_t samples = 1) {
-    realtime::RendererOptions o;
-    o.width = o.height = size;
-    o.samples = samples;
-    o.profile = realtime::profile_by_name(profile);
-    return o;
-}
-
-inline glm::vec3 center(const realtime::Still& still) {
-    return glm::vec3(still.planes.light_nit[std::size_t{still.height / 2} * still.width + still.width / 2]);
 }
 
 }  // namespace candela::test
