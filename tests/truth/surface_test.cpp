@@ -72,10 +72,14 @@ TEST(PathSurface, CulledBacksAreNotThereForTheCameraButShutLightOut) {
 // The normals of a coarse sphere promise a round one: no facet may shadow itself where the normals see the
 // light.
 TEST(PathSurface, CoarseMeshesHaveNoFacetedTerminator) {
-    const scene::Scene coarse = [] {
+    // The terminator lies just beyond the middle of a facet: half of that facet faces away although its
+    // normals do not.
+    const float turn = 0.21f;
+    const glm::vec3 l(std::cos(turn), 0.0f, -std::sin(turn));
+    const scene::Scene coarse = [&] {
         scene::Scene s = scene_of(sphere(1.0f, 0, 16, 8), grey(1.0f));
         scene::Light light = sun(1000.0f);
-        light.direction = {-1, 0, 0};
+        light.direction = -l;
         s.lights.push_back(light);
         return s;
     }();
@@ -87,7 +91,7 @@ TEST(PathSurface, CoarseMeshesHaveNoFacetedTerminator) {
             const truth::PathSampler sampler({x, y}, 0, 0);
             const truth::PathResult path =
                 integrator.trace(rays.through(glm::vec2(x, y) + 0.5f, glm::vec2(0.5f)), sampler);
-            const float NoL = path.normal.x;
+            const float NoL = glm::dot(path.normal, l);
             if (path.object_id == 0 || NoL < 0.12f) continue;
             ++checked;
             EXPECT_NEAR(path.luminance_nit.y, 1000.0 * static_cast<double>(NoL) / kPi, 1.0) << x << ", " << y;
@@ -97,20 +101,34 @@ TEST(PathSurface, CoarseMeshesHaveNoFacetedTerminator) {
 }
 
 TEST(PathSurface, NormalMapsNeitherLeakLightNorLoseMuch) {
-    // Normals tilted by 40 degrees, in a furnace: directions that fall below the true surface meet it and go
-    // on.
+    // A map that tilts every normal by 35 degrees towards +X.
     scene::Material m = grey(1.0f);
+    scene::Scene s;
+    const float tilt = 0.61f;
+    const auto byte = [](float x) {
+        return static_cast<std::uint8_t>(std::lround(255.0f * (0.5f + 0.5f * x)));
+    };
+    s.images.push_back({"tilted", 1, 1, {byte(std::sin(tilt)), 128, byte(std::cos(tilt)), 255}});
+    s.textures.push_back({0, {}});
+    m.normal_texture.texture = 0;
     scene::Primitive plane = flat_square(20.0f, glm::vec3(0.0f), true);
-    const float tilt = 0.7f;
-    for (glm::vec3& n : plane.normals) n = {std::sin(tilt), std::cos(tilt), 0.0f};
-    scene::Scene s = scene_of(plane, m);
+    plane.tangents.assign(4, {1, 0, 0, 1});
+    plane.uv[0].assign(4, {0.5f, 0.5f});
+    place(s, plane, m);
+    // In a furnace: directions that fall below the true surface meet it and go on.
     const double seen = mean_luminance(s, spot_meter(), path_options(false, true), 1024).y;
     EXPECT_LE(seen, 1.01);
     EXPECT_GE(seen, 0.97);
-    // Light from below the true surface must not reach it, whatever the normals say.
+    // The tilted normal sees a sun above the surface, and not one below it.
     scene::Light light = sun(1000.0f);
-    light.direction = glm::normalize(glm::vec3(-1.0f, 0.1f, 0.0f));
-    s.lights.push_back(light);
+    light.direction = glm::normalize(glm::vec3(-1.0f, -0.3f, 0.0f));
+    s.lights = {light};
+    EXPECT_NEAR(mean_luminance(s, spot_meter(), path_options(true), 64).y,
+                1000.0 / kPi *
+                    (std::sin(static_cast<double>(tilt)) + 0.3 * std::cos(static_cast<double>(tilt))) /
+                    std::sqrt(1.09),
+                2.0);
+    s.lights[0].direction = glm::normalize(glm::vec3(-1.0f, 0.1f, 0.0f));
     EXPECT_EQ(mean_luminance(s, spot_meter(), path_options(true), 64).y, 0.0);
 }
 

@@ -76,6 +76,7 @@ inline scene::Primitive flat_square(float half_m, const glm::vec3& center, bool 
         p.bounds.extend(p.positions.back());
     }
     p.indices = {0, 1, 2, 0, 2, 3};
+    p.material = 0;
     return p;
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr int kMaxSheets = 512;
 /// Paths are cut by chance from here on.
 constexpr int kSureBounces = 3;
+/// Where the facets of a coarse mesh begin to shadow themselves; everywhere else the true surface is better.
+constexpr float kGrazingCosine = 0.1f;
 
 bool black(const glm::vec3& c) {
     return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
@@ -33,11 +35,16 @@ EnvironmentLight environment_of(const scene::Scene& scene, const PathOptions& op
 /// A surface on the path, ready to be lit.
 struct PathIntegrator::Vertex {
     SurfacePoint point;
-    glm::vec3 origin{0.0f};  ///< of rays that leave it
-    glm::vec3 v{0.0f};       ///< unit, towards where the path came from
+    glm::vec3 origin{0.0f};         ///< of rays that leave it
+    glm::vec3 smooth_origin{0.0f};  ///< of those that leave it close to, or below, the plane of its triangle
+    glm::vec3 v{0.0f};              ///< unit, towards where the path came from
     glm::vec4 dfg{0.0f};
     shading::PreparedSurface prepared{};
     shading::BsdfLobes lobes{};
+
+    [[nodiscard]] const glm::vec3& origin_towards(const glm::vec3& l) const {
+        return glm::dot(point.geometric_normal, l) < kGrazingCosine ? smooth_origin : origin;
+    }
 };
 
 /// A path under way.
@@ -46,6 +53,7 @@ struct PathIntegrator::Walk {
     PathResult result;
     glm::vec3 throughput{1.0f};
     glm::vec3 diffuse_share{0.0f};  ///< of the first surface's lobes, per channel; the rest is specular
+    glm::vec3 last_origin{0.0f};    ///< where light was drawn from at the last surface
     glm::vec3 last_normal{0.0f};
     float last_pdf = 0.0f;  ///< of the direction that the path took; 1/sr
     int bounces = 0;
@@ -154,8 +162,13 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
             light.pdf, shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
                                          p.coat_normal, vertex.v, light.direction));
     }
-    Ray shadow{vertex.origin, light.direction, light.distance_m};
-    if (std::isfinite(light.distance_m)) shadow.t_max *= 1.0f - 1e-4f;
+    Ray shadow{vertex.origin_towards(light.direction), light.direction, light.distance_m};
+    if (std::isfinite(light.distance_m)) {
+        const glm::vec3 way = vertex.origin + light.direction * light.distance_m - shadow.origin;
+        const float length_m = glm::length(way);
+        shadow.direction = way / std::max(length_m, 1e-20f);
+        shadow.t_max = length_m * (1.0f - 1e-4f);
+    }
     const float visible = transmitted(shadow);
     if (visible <= 0.0f) return;
     if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
@@ -193,8 +206,8 @@ void PathIntegrator::add_emission(Walk& walk, const SurfacePoint& point, const H
         walk.result.emissive += light;
         return;
     }
-    const float weight =
-        shading::power_heuristic(walk.last_pdf, lights_->pdf_triangle(walk.ray, walk.last_normal, hit));
+    const float weight = shading::power_heuristic(
+        walk.last_pdf, lights_->pdf_triangle({walk.last_origin, walk.ray.direction}, walk.last_normal, hit));
     walk.add(light * weight, walk.bounces == 1);
 }
 
@@ -231,7 +244,8 @@ bool PathIntegrator::bounce(Walk& walk, const Vertex& vertex, const PathSampler&
         if (choice.y >= survive) return false;
         walk.throughput /= survive;
     }
-    walk.ray = {vertex.origin, l};
+    walk.ray = {vertex.origin_towards(l), l};
+    walk.last_origin = vertex.origin;
     walk.last_pdf = pdf;
     walk.last_normal = p.normal;
     ++walk.bounces;
@@ -263,7 +277,8 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
         add_emission(walk, p, hit);
         if (walk.bounces >= last) break;
         vertex.v = -walk.ray.direction;
-        vertex.origin = offset_from_surface(p.smooth_position, p.geometric_normal);
+        vertex.origin = offset_from_surface(p.position, p.geometric_normal);
+        vertex.smooth_origin = offset_from_surface(p.smooth_position, p.geometric_normal);
         const float NoV = std::clamp(glm::dot(p.normal, vertex.v), 1.0e-4f, 1.0f);
         vertex.dfg = albedo_.read(NoV, p.surface.perceptual_roughness);
         glm::vec4 coat_dfg(0.0f);
