@@ -83,7 +83,7 @@ realtime::Profile load_profile(const std::string& name) {
 /// The environment that the command line asks for, else the stage's; false when neither says anything.
 bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
     float lux = 0.0f;  // 0: leave the scale as it is
-    if (stage.environment) {
+    if (stage.environment && !stage.environment->none) {
         const io::StageEnvironment& e = *stage.environment;
         job.scene.environment =
             e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
@@ -92,7 +92,8 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
         job.scene.environment->visible = e.visible;
         lux = e.illuminance_lx.value_or(0.0f);
     }
-    if (options.environment == "none") {
+    const bool stage_says_none = stage.environment && stage.environment->none && options.environment.empty();
+    if (options.environment == "none" || stage_says_none) {
         job.scene.environment.reset();
         return true;
     }

@@ -40,8 +40,9 @@ void write_room(const std::filesystem::path& folder) {
                 {{0.95f, 0.825f, 0.85f}, {0, 1, 0}, glm::radians(-17.0f)});
     scene.camera("main", {0.0f, half, half + 8.0f}, {0.0f, half, 0.0f}, 35.0f);
     scene.save(folder / "cornell_room.glb");
-    write_stage(folder / "cornell_room.stage.json",
-                {{"exposure", manual_exposure(2.8f, 1.0f / 15.0f, 400.0f)}});
+    write_stage(
+        folder / "cornell_room.stage.json",
+        {{"environment", {{"none", true}}}, {"exposure", manual_exposure(2.8f, 1.0f / 15.0f, 400.0f)}});
 }
 
 }  // namespace candela::scenes

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "shading/exposure.glsl"
 #include "render_scenes.hpp"
+#include "shading/exposure.glsl"
 
 using namespace candela;
 using namespace candela::test;

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "candela/truth/checkpoint.hpp"
-#include "cli/process.hpp"
+#include "common/files.hpp"
 #include "trace.hpp"
 
 using namespace candela;

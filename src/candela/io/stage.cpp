@@ -80,6 +80,7 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
         {{"file",
           [&](const json& v, const std::string& at) { e.file = inside_folder(folder, text(v, at), at); }},
          {"studio", [&](const json& v, const std::string& at) { studio = boolean(v, at); }},
+         {"none", [&](const json& v, const std::string& at) { e.none = boolean(v, at); }},
          {"scale",
           [&](const json& v, const std::string& at) { e.scale = number(v, at, 0.0f, 1e12f, "0 or more"); }},
          {"rotation_deg",
@@ -90,8 +91,9 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
          {"illuminance_lx",
           [&](const json& v, const std::string& at) { e.illuminance_lx = positive(v, at); }},
          {"visible", [&](const json& v, const std::string& at) { e.visible = boolean(v, at); }}});
-    if (e.file.empty() == !studio) {
-        throw input_error("needs either a file or \"studio\": true", where, "{\"file\": \"sky.exr\"}");
+    if ((e.file.empty() ? 0 : 1) + (studio ? 1 : 0) + (e.none ? 1 : 0) != 1) {
+        throw input_error("needs one of a file, \"studio\": true and \"none\": true", where,
+                          "{\"file\": \"sky.exr\"}");
     }
     return e;
 }
