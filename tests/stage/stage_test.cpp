@@ -65,7 +65,8 @@ TEST(Stage, EveryKeyOfTheSchemaIsTriedByAGoodDocument) {
     collect_keys(parse_file(std::string(CANDELA_SOURCE_DIR) + "/docs/stage.schema.json"), "", keys);
     EXPECT_GT(keys.size(), 15u);
     for (const json& d : documents()["good"]) {
-        for (const auto& [pointer, value] : d.flatten().items()) {
+        const json flat = d.flatten();
+        for (const auto& [pointer, value] : flat.items()) {
             std::string key = pointer;
             while (!key.empty()) {
                 keys.erase(key);
