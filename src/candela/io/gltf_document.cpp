@@ -105,6 +105,11 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
         throw input_error("not glTF 2.0", name_ + ": /asset/version",
                           version.empty() ? "every glTF file states its version" : "it says " + version);
     }
+    // Also what this scene happens not to use: a list of the wrong type is a broken file, not an empty list.
+    for (const char* list : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes", "materials",
+                             "textures", "images", "samplers", "skins", "cameras", "animations"}) {
+        (void)count(list);
+    }
     file_bytes_ = bytes.size();
     load_buffers(chunks.binary);
     decompressed_.resize(count("bufferViews"));
