@@ -170,6 +170,7 @@ void visit(const GltfDocument& document, const JsonView& accessor, const Layout&
 }
 
 std::uint64_t checked_count(const JsonView& accessor) {
+    if (!accessor["count"].exists()) accessor["count"].fail("is missing");
     const std::uint64_t count = accessor["count"].unsigned_or(0);
     if (count > kMaxElements)
         accessor["count"].fail("is too large: " + std::to_string(count), "at most 67,108,864");

@@ -44,7 +44,7 @@ class Attributes {
 
 template <class T>
 void expect_count(const std::vector<T>& values, std::size_t count, const std::string& where) {
-    if (!values.empty() && values.size() != count) {
+    if (values.size() != count) {
         throw input_error(
             "has " + std::to_string(values.size()) + " elements for " + std::to_string(count) + " vertices",
             where);
