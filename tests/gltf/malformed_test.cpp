@@ -1,14 +1,9 @@
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 
-#include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
-#include "cli/process.hpp"
 #include "gltf_samples.hpp"
+#include "limited_run.hpp"
 
 using namespace candela::test;
 
@@ -17,28 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kScene = "bad.gltf";
-
-/// Runs `candela info FILE` with 2 GiB of address space; a run of more than 5 s is killed.
-Outcome info_within_limits(const std::string& file) {
-    const TemporaryFolder streams;
-    const std::string out = streams / "out", err = streams / "err";
-    const pid_t child = fork();
-    if (child == 0) {
-        const rlimit memory{std::size_t{2} << 30, std::size_t{2} << 30};
-        setrlimit(RLIMIT_AS, &memory);
-        if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) _exit(126);
-        alarm(5);  // survives exec; its signal ends the program
-        execl(CANDELA_BINARY, CANDELA_BINARY, "info", file.c_str(), static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out), slurp(err)};
-}
-
-void write(const fs::path& file, const std::string& bytes) {
-    std::ofstream(file, std::ios::binary) << bytes;
-}
 
 struct Malformed {
     const char* name;
@@ -382,14 +355,6 @@ std::vector<Malformed> all() {
     return out;
 }
 
-void expect_one_clear_line(const Outcome& outcome, const std::string& mentions) {
-    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(lines(outcome.err), 1u) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind("candela: error: ", 0), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find(mentions), std::string::npos) << outcome.err;
-}
-
 class MalformedInput : public testing::TestWithParam<Malformed> {};
 
 }  // namespace
@@ -410,66 +375,6 @@ TEST_P(MalformedInput, IsOneClearLine) {
 
 INSTANTIATE_TEST_SUITE_P(Gltf, MalformedInput, testing::ValuesIn(all()),
                          [](const auto& test) { return std::string(test.param.name); });
-
-namespace {
-
-Outcome render_with(const std::string& option, const std::string& file_name, const std::string& content) {
-    const TemporaryFolder folder;
-    write(folder / "scene.glb", triangle().glb());
-    write(folder / file_name, content);
-    return run_candela("render " + (folder / "scene.glb") + " " + option + " " + (folder / file_name) +
-                       " -o " + (folder / "never.png"));
-}
-
-}  // namespace
-
-TEST(MalformedStage, NamesTheJsonPointer) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"[]", "object"},
-        {"", "JSON"},
-        {R"({"camera": 3})", "/camera"},
-        {R"({"camera": {"look_from": [1, 2]}})", "/camera/look_from"},
-        {R"({"camera": {"look_from": [1, 2, "3"]}})", "/camera/look_from/2"},
-        {R"({"camera": {"focal_mm": -35}})", "/camera/focal_mm"},
-        {R"({"exposure": {"ev100": "bright"}})", "/exposure/ev100"},
-        {R"({"exposure": {"ev100": 1e999}})", "JSON"},
-        {R"({"exposure": {"aperture_f": 8}})", "/exposure"},
-        {R"({"environment": "sky.exr"})", "/environment"},
-        {R"({"environment": {"file": "../../etc/passwd"}})", "/environment/file"},
-        {R"({"environment": {"file": "%2Fetc/passwd"}})", "/environment/file"},
-        {R"({"environment": {"studio": 1}})", "/environment/studio"},
-        {R"({"environmant": {}})", "environment"},
-        {R"({"camera": {}, "camera": {}})", "camera"}};
-    for (const auto& [content, mentions] : cases) {
-        SCOPED_TRACE(content);
-        expect_one_clear_line(render_with("--stage", "bad.stage.json", content), mentions);
-    }
-}
-
-TEST(MalformedEnvironment, HeadersThatClaimTenBillionTexels) {
-    expect_one_clear_line(
-        render_with("--env", "huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n"),
-        "huge.hdr");
-    const auto word = [](std::uint32_t v) { return std::string(reinterpret_cast<const char*>(&v), 4); };
-    const auto attribute = [&](const std::string& name, const std::string& type, const std::string& value) {
-        return name + '\0' + type + '\0' + word(static_cast<std::uint32_t>(value.size())) + value;
-    };
-    const std::string window = word(0) + word(0) + word(99999) + word(99999);
-    std::string channels;
-    for (const char* name : {"B", "G", "R"})
-        channels += std::string(name) + '\0' + word(1) + word(0) + word(1) + word(1);
-    const std::string exr = word(20000630) + word(2) + attribute("channels", "chlist", channels + '\0') +
-                            attribute("compression", "compression", std::string(1, '\3')) +
-                            attribute("dataWindow", "box2i", window) +
-                            attribute("displayWindow", "box2i", window) +
-                            attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
-                            attribute("pixelAspectRatio", "float", word(0x3f800000)) +
-                            attribute("screenWindowCenter", "v2f", std::string(8, '\0')) +
-                            attribute("screenWindowWidth", "float", word(0x3f800000)) + '\0';
-    expect_one_clear_line(render_with("--env", "huge.exr", exr), "huge.exr");
-    expect_one_clear_line(render_with("--env", "huge.exr", exr.substr(0, 40)), "huge.exr");
-    expect_one_clear_line(render_with("--env", "empty.hdr", ""), "empty.hdr");
-}
 
 TEST(MalformedFiles, OfOthersAreOneClearLineToo) {
     const fs::path folder = CANDELA_SOURCE_DIR "/../shared/data/gltf/malformed";
