@@ -45,7 +45,7 @@ TEST(Tangents, AMirroredUvSplitsTheSeam) {
     EXPECT_EQ(p.tangents[p.indices[0]].w, -p.tangents[p.indices[3]].w);
 }
 
-// Mikkelsen 2008, section 4.7: the mean of the faces' tangents is weighted by the angle at the corner; here
+// MikkTSpace: the mean of the faces' tangents is weighted by the angle at the corner; here
 // 90 degrees of (1, 0) and 135 degrees of (1, 1) / sqrt 2.
 TEST(Tangents, AreMeansWeightedByAngle) {
     const glm::vec3 expected{0.889146f, 0.457623f, 0.0f};

@@ -50,7 +50,7 @@ nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& w
                           int max_depth) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     check_depth(text, where, max_depth);
-    // A later key would silently win over an earlier one (glTF 2.0, 1.5.3 forbids them).
+    // A later key would silently win over an earlier one (glTF forbids them).
     std::vector<std::set<std::string>> keys;
     const auto unique_keys = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
         using Event = nlohmann::json::parse_event_t;
