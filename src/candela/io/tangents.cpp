@@ -142,8 +142,8 @@ struct Grouping {
     std::vector<bool> preserves_orientation;  // by group
 };
 
-/// Groups grow around a welded vertex, across edges, over triangles of the same orientation in uv (Mikkelsen
-/// 2008, 4.7 "4 rules"): first the side that starts in the corner, then the one that ends there.
+/// Groups grow around a welded vertex, across edges, over triangles of the same orientation in uv (as
+/// MikkTSpace groups): first the side that starts in the corner, then the one that ends there.
 Grouping group_corners(const std::vector<std::uint32_t>& welded, std::vector<Face>& faces) {
     const std::vector<std::size_t> opposite = opposite_corners(welded, faces);
     Grouping out;
