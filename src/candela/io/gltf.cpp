@@ -38,20 +38,23 @@ const std::set<std::string>& supported_extensions() {
 }
 
 void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
-    std::set<std::string> required;
     const JsonView list = document.array("extensionsRequired");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string name = list[i].string_or("");
-        required.insert(name);
         if (!supported_extensions().contains(name))
             list[i].fail("the scene requires " + name + ", which is not supported");
     }
+    constexpr std::size_t most_named = 16;
+    std::set<std::string> unknown;
     const JsonView used = document.array("extensionsUsed");
     for (std::size_t i = 0; i < used.size(); ++i) {
         const std::string name = used[i].string_or("");
-        if (!supported_extensions().contains(name))
+        if (supported_extensions().contains(name) || !unknown.insert(name).second) continue;
+        if (unknown.size() <= most_named)
             diagnostics.warn("extension " + name + " is not supported: ignored");
     }
+    if (unknown.size() > most_named)
+        diagnostics.warn(std::to_string(unknown.size() - most_named) + " more extensions are not supported");
 }
 
 /// A posed primitive with everything that scene::Primitive promises.
@@ -84,6 +87,13 @@ struct Poser {
     std::map<std::uint32_t, std::uint32_t>
         rigid;  // glTF mesh to Scene::meshes, for meshes that look alike everywhere
     std::uint64_t triangles = 0;
+    std::map<std::uint32_t, std::vector<glm::mat4>> skins;
+
+    const std::vector<glm::mat4>& joints_of(std::uint32_t skin) {
+        const auto found = skins.find(skin);
+        if (found != skins.end()) return found->second;
+        return skins.emplace(skin, joint_matrices(document, skin, nodes)).first->second;
+    }
 
     const SourceMesh& source_of(std::uint32_t mesh) {
         const auto found = sources.find(mesh);
@@ -92,10 +102,12 @@ struct Poser {
     }
 
     std::uint32_t add_mesh(const SourceMesh& source, const std::vector<float>& weights,
-                           const std::vector<glm::mat4>& joints) {
+                           const std::vector<glm::mat4>& joints, const JsonView& where) {
         scene::Mesh mesh;
         mesh.name = source.name;
         for (const SourcePrimitive& primitive : source.primitives) {
+            if (!joints.empty()) check_joints(primitive, joints.size(), where);
+            document.charge(bytes_of(primitive.primitive), where);
             scene::Primitive p = pose(primitive, weights, joints);
             const bool finite = std::all_of(p.positions.begin(), p.positions.end(), [](const glm::vec3& x) {
                 return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
@@ -110,6 +122,21 @@ struct Poser {
         return static_cast<std::uint32_t>(scene.meshes.size() - 1);
     }
 
+    static std::uint64_t bytes_of(const scene::Primitive& p) {
+        constexpr std::uint64_t vertex_bytes = 84;  // every attribute that a vertex may end up with
+        return p.positions.size() * vertex_bytes + p.indices.size() * sizeof(std::uint32_t);
+    }
+
+    static void check_joints(const SourcePrimitive& p, std::size_t joints, const JsonView& node) {
+        for (std::size_t i = 0; i < p.joints.size(); ++i) {
+            for (std::size_t c = 0; c < 4; ++c) {
+                if (p.joints[i][c] < joints || p.weights[i][static_cast<int>(c)] == 0.0f) continue;
+                node["skin"].fail("has " + std::to_string(joints) + " joints, its mesh refers to joint " +
+                                  std::to_string(p.joints[i][c]));
+            }
+        }
+    }
+
     void add_instance(std::uint32_t node_index) {
         const Node& node = nodes[node_index];
         const JsonView json_node = document.element("nodes", node_index);
@@ -118,7 +145,7 @@ struct Poser {
         const SourceMesh& source = source_of(*mesh);
         std::vector<glm::mat4> joints;
         if (const auto skin = json_node["skin"].index_below(document.count("skins"))) {
-            joints = joint_matrices(document, *skin, nodes);
+            joints = joints_of(*skin);
         }
         const bool skinned =
             !joints.empty() && std::any_of(source.primitives.begin(), source.primitives.end(),
@@ -130,31 +157,27 @@ struct Poser {
         if (!skinned) instance.world = node.world;
         if (skinned || !node.weights.empty()) {
             instance.mesh = add_mesh(source, node.weights.empty() ? source.weights : node.weights,
-                                     skinned ? joints : std::vector<glm::mat4>{});
+                                     skinned ? joints : std::vector<glm::mat4>{}, json_node);
         } else {
             const auto [entry, fresh] = rigid.try_emplace(*mesh, 0u);
-            if (fresh) entry->second = add_mesh(source, source.weights, {});
+            if (fresh) entry->second = add_mesh(source, source.weights, {}, json_node);
             instance.mesh = entry->second;
         }
         for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives)
             triangles += p.indices.size() / 3;
         if (triangles > kMaxTriangles) json_node.fail("the scene has more than 67 million triangles");
-        if (!finite(instance.world)) {
-            diagnostics.warn("a node whose transform is not finite: skipped");
-            return;
-        }
         scene.instances.push_back(instance);
     }
-
-    static bool finite(const glm::mat4& m) {
-        for (int c = 0; c < 4; ++c) {
-            for (int r = 0; r < 4; ++r) {
-                if (!std::isfinite(m[c][r])) return false;
-            }
-        }
-        return true;
-    }
 };
+
+bool finite(const glm::mat4& m) {
+    for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 4; ++r) {
+            if (!std::isfinite(m[c][r])) return false;
+        }
+    }
+    return true;
+}
 
 /// Rotation and place of a node without its scale, for lights and cameras.
 glm::mat4 rigid_part(const glm::mat4& m) {
@@ -240,9 +263,13 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
     }
     const std::vector<Node> nodes = read_posed_nodes(document, options.time_s, diagnostics);
     const JsonView lights = document.root()["extensions"]["KHR_lights_punctual"]["lights"];
-    Poser poser{document, nodes, scene, diagnostics, {}, {}, 0};
+    Poser poser{document, nodes, scene, diagnostics, {}, {}, 0, {}};
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].reachable) continue;
+        if (!finite(nodes[i].world)) {
+            diagnostics.warn("a node whose transform is not finite: skipped");
+            continue;
+        }
         const JsonView node = document.element("nodes", i);
         poser.add_instance(i);
         if (const auto camera = node["camera"].index_below(document.count("cameras"))) {

@@ -111,10 +111,15 @@ void read_elements(const GltfDocument& document, std::uint32_t view, std::uint64
                    std::uint64_t count, const Layout& layout, const JsonView& where, const Put& put) {
     if (count == 0) return;
     const std::span<const std::byte> bytes = document.buffer_view(view);
-    const std::size_t stride = std::max(document.buffer_view_stride(view), std::size_t{0});
+    const std::size_t stride = document.buffer_view_stride(view);
     const std::size_t step = stride ? stride : layout.element_bytes();
+    if (step < layout.element_bytes()) where.fail("its elements overlap: byteStride is less than their size");
+    // Each term is below 2^37 before they are added, so that nothing wraps.
+    if (offset > bytes.size() || count > kMaxElements)
+        where.fail("passes the end of its buffer view: starts at byte " + std::to_string(offset) + " of " +
+                   std::to_string(bytes.size()));
     const std::uint64_t needed = offset + (count - 1) * step + layout.element_bytes();
-    if (offset > bytes.size() || count > kMaxElements || needed > bytes.size()) {
+    if (needed > bytes.size()) {
         where.fail("passes the end of its buffer view: needs " + std::to_string(needed) + " bytes of " +
                    std::to_string(bytes.size()));
     }
@@ -150,6 +155,7 @@ void visit(const GltfDocument& document, const JsonView& accessor, const Layout&
         index_layout.component != uint) {
         indices["componentType"].fail("must be an unsigned integer type");
     }
+    document.charge(changed * sizeof(std::size_t), sparse);
     std::vector<std::size_t> targets(static_cast<std::size_t>(changed));
     read_elements(document, indices["bufferView"].required_index_below(views),
                   indices["byteOffset"].unsigned_or(0), changed, index_layout, indices,
@@ -164,6 +170,7 @@ void visit(const GltfDocument& document, const JsonView& accessor, const Layout&
 }
 
 std::uint64_t checked_count(const JsonView& accessor) {
+    if (!accessor["count"].exists()) accessor["count"].fail("is missing");
     const std::uint64_t count = accessor["count"].unsigned_or(0);
     if (count > kMaxElements)
         accessor["count"].fail("is too large: " + std::to_string(count), "at most 67,108,864");
@@ -198,6 +205,7 @@ AccessorData read_accessor(const GltfDocument& document, std::uint32_t index) {
     data.count = static_cast<std::size_t>(count);
     data.components = layout.components;
     data.integers = layout.component != real && !layout.normalized;
+    document.charge(count * layout.components * sizeof(float), accessor);
     data.values.resize(data.count * layout.components);
     visit(document, accessor, layout, count, [&](std::size_t i, std::size_t c, double value) {
         data.values[i * layout.components + c] = static_cast<float>(value);
@@ -211,8 +219,10 @@ std::vector<std::uint32_t> read_indices(const GltfDocument& document, std::uint3
     if (layout.component == real || layout.component == byte || layout.component == sshort) {
         accessor["componentType"].fail("must be an unsigned integer type");
     }
+    if (layout.components != 1) accessor["type"].fail("indices must be SCALAR");
     const std::uint64_t count = checked_count(accessor);
     check_backing(document, accessor, layout, count);
+    document.charge(count * layout.components * sizeof(std::uint32_t), accessor);
     std::vector<std::uint32_t> values(static_cast<std::size_t>(count) * layout.components);
     Layout whole = layout;
     whole.normalized = false;

@@ -15,6 +15,10 @@ namespace candela::io {
 namespace {
 
 constexpr std::size_t kMaxBufferBytes = std::size_t{1} << 30;
+/// What a scene may take before its files have to justify it, and how much each byte of them justifies: a
+/// normalized byte becomes a float, vertices are shared by primitives and split at seams.
+constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 28;
+constexpr std::uint64_t kBytesPerFileByte = 32;
 constexpr std::uint32_t kGlbMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinaryChunk = 0x004e4942;
@@ -67,8 +71,14 @@ std::vector<std::byte> decode_base64(std::string_view text, const std::string& w
     out.reserve(text.size() / 4 * 3);
     std::uint32_t bits = 0;
     int count = 0;
+    const std::size_t padding = text.find('=');
+    if (padding != std::string_view::npos) {
+        if (text.size() - padding > 2 || text.find_first_not_of('=', padding) != std::string_view::npos)
+            throw input_error("broken base64 data", where);
+        text = text.substr(0, padding);
+    }
+    if (text.size() % 4 == 1) throw input_error("truncated base64 data", where);
     for (const char c : text) {
-        if (c == '=') break;
         const int value = value_of(c);
         if (value < 0) throw input_error("broken base64 data", where);
         bits = bits << 6 | static_cast<std::uint32_t>(value);
@@ -95,6 +105,12 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
         throw input_error("not glTF 2.0", name_ + ": /asset/version",
                           version.empty() ? "every glTF file states its version" : "it says " + version);
     }
+    // Also what this scene happens not to use: a list of the wrong type is a broken file, not an empty list.
+    for (const char* list : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes", "materials",
+                             "textures", "images", "samplers", "skins", "cameras", "animations"}) {
+        (void)count(list);
+    }
+    file_bytes_ = bytes.size();
     load_buffers(chunks.binary);
     decompressed_.resize(count("bufferViews"));
 }
@@ -130,8 +146,20 @@ void GltfDocument::load_buffers(std::span<const std::byte> binary_chunk) {
             buffer["byteLength"].fail("promises " + std::to_string(length) + " bytes, there are " +
                                       std::to_string(bytes.size()));
         }
+        file_bytes_ += bytes.size();
+        if (file_bytes_ > 4 * std::uint64_t{kMaxBufferBytes})
+            buffer.fail("the buffers hold more than 4 GiB together");
         buffers_.push_back(std::move(bytes));
     }
+}
+
+void GltfDocument::charge(std::uint64_t bytes, const JsonView& where) const {
+    const std::uint64_t most = kFreeBytes + kBytesPerFileByte * file_bytes_;
+    if (bytes > most || charged_bytes_ > most - bytes) {
+        where.fail("the scene takes more memory than files of " + std::to_string(file_bytes_) +
+                   " bytes can need");
+    }
+    charged_bytes_ += bytes;
 }
 
 std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
@@ -179,8 +207,7 @@ std::vector<std::byte> GltfDocument::decompress(std::uint32_t index) const {
     if (count > (std::uint64_t{1} << 28) || count * stride > (source.size() + 64) * 1024) {
         packed["count"].fail("promises more than the data can hold");
     }
-    decompressed_bytes_ += count * stride;
-    if (decompressed_bytes_ > kMaxBufferBytes) packed.fail("decompresses to more than 1 GiB");
+    charge(count * stride, packed);
     std::vector<std::byte> out(static_cast<std::size_t>(count * stride));
     const auto* data = reinterpret_cast<const unsigned char*>(source.data());
     int result = -1;
@@ -195,6 +222,7 @@ std::vector<std::byte> GltfDocument::decompress(std::uint32_t index) const {
         packed["mode"].fail("is not a mode of EXT_meshopt_compression");
     }
     if (result != 0) packed.fail("its data cannot be decompressed", "the file is damaged");
+    if (filter != "NONE" && mode != "ATTRIBUTES") packed["filter"].fail("is for the mode ATTRIBUTES only");
     if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) {
         meshopt_decodeFilterOct(out.data(), count, stride);
     } else if (filter == "QUATERNION" && stride == 8) {

@@ -68,6 +68,11 @@ class GltfDocument {
     /// Bytes of a buffer view, decompressed where EXT_meshopt_compression says so. Throws Error when it
     /// leaves its buffer.
     [[nodiscard]] std::span<const std::byte> buffer_view(std::uint32_t index) const;
+    /// Counts bytes taken on behalf of `where`; throws Error when they outgrow what files of this size need.
+    /// What may be referred to again and again (accessors, meshes) must not turn a small file into a large
+    /// scene.
+    void charge(std::uint64_t bytes, const JsonView& where) const;
+
     /// byteStride of a view, 0 when tightly packed.
     [[nodiscard]] std::size_t buffer_view_stride(std::uint32_t index) const;
 
@@ -84,7 +89,8 @@ class GltfDocument {
     json json_;
     std::vector<std::vector<std::byte>> buffers_;
     mutable std::vector<std::optional<std::vector<std::byte>>> decompressed_;
-    mutable std::uint64_t decompressed_bytes_ = 0;
+    std::uint64_t file_bytes_ = 0;
+    mutable std::uint64_t charged_bytes_ = 0;
 };
 
 }  // namespace candela::io

@@ -44,7 +44,7 @@ class Attributes {
 
 template <class T>
 void expect_count(const std::vector<T>& values, std::size_t count, const std::string& where) {
-    if (!values.empty() && values.size() != count) {
+    if (values.size() != count) {
         throw input_error(
             "has " + std::to_string(values.size()) + " elements for " + std::to_string(count) + " vertices",
             where);
@@ -82,6 +82,8 @@ void read_indices_of(const GltfDocument& document, const JsonView& source, const
     std::vector<std::uint32_t> raw;
     if (attributes.draco()) {
         p.indices = attributes.draco()->indices;
+        if (!p.indices.empty() && *std::max_element(p.indices.begin(), p.indices.end()) >= p.positions.size())
+            source.fail("its Draco triangles refer to vertices that its positions lack");
         return;
     }
     if (const auto index = source["indices"].index_below(document.count("accessors"))) {
@@ -113,7 +115,9 @@ void read_skin(const Attributes& attributes, std::size_t vertices, SourcePrimiti
     for (const glm::vec4& v : j) {
         std::array<std::uint32_t, 4> four{};
         for (int c = 0; c < 4; ++c)
-            four[static_cast<std::size_t>(c)] = static_cast<std::uint32_t>(std::clamp(v[c], 0.0f, 65535.0f));
+            // Written so that a NaN (Draco may hold floats) is joint 0: its conversion is undefined.
+            four[static_cast<std::size_t>(c)] =
+                v[c] > 0.0f ? static_cast<std::uint32_t>(std::min(v[c], 65535.0f)) : 0u;
         out.joints.push_back(four);
     }
     for (glm::vec4& w : out.weights) {
@@ -196,6 +200,10 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
     }
     read_attributes(attributes, p, out);
     read_indices_of(document, source, attributes, mode, p);
+    if (p.indices.empty()) {
+        diagnostics.warn("a primitive without triangles: skipped");
+        return std::nullopt;
+    }
     read_skin(attributes, p.positions.size(), out, diagnostics);
     read_targets(document, source, p.positions.size(), out);
     if (const auto material = source["material"].index_below(document.count("materials")))

@@ -92,7 +92,9 @@ class AnimationSampler {
   public:
     AnimationSampler(const GltfDocument& document, const JsonView& sampler) : where_(sampler.where()) {
         const std::size_t accessors = document.count("accessors");
-        times_ = read_accessor(document, sampler["input"].required_index_below(accessors)).values;
+        AccessorData input = read_accessor(document, sampler["input"].required_index_below(accessors));
+        if (input.components != 1) sampler["input"].fail("key times must be SCALAR");
+        times_ = std::move(input.values);
         values_ = read_accessor(document, sampler["output"].required_index_below(accessors)).values;
         const std::string mode = sampler["interpolation"].string_or("LINEAR");
         cubic_ = mode == "CUBICSPLINE";
@@ -100,6 +102,9 @@ class AnimationSampler {
         if (!cubic_ && !step_ && mode != "LINEAR")
             sampler["interpolation"].fail("must be LINEAR, STEP or CUBICSPLINE");
         if (times_.empty()) sampler["input"].fail("has no keys");
+        // A NaN passes every comparison and would end the search for a key beyond the last.
+        if (!std::all_of(times_.begin(), times_.end(), [](float t) { return std::isfinite(t); }))
+            sampler["input"].fail("key times must be finite");
         if (!std::is_sorted(times_.begin(), times_.end()))
             sampler["input"].fail("key times must not decrease");
         width_ = values_.size() / times_.size() / (cubic_ ? 3 : 1);
@@ -233,6 +238,8 @@ std::vector<Node> read_posed_nodes(const GltfDocument& document, float time_s, D
             const std::uint32_t root = roots[r].required_index_below(nodes.size());
             if (is_child[root])
                 roots[r].fail("a scene lists roots, and node " + std::to_string(root) + " has a parent");
+            if (nodes[root].reachable)
+                roots[r].fail("the scene lists node " + std::to_string(root) + " twice");
             place(nodes, root, true);
         }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "candela/scene/error.hpp"
 
@@ -49,8 +50,19 @@ nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& w
                           int max_depth) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     check_depth(text, where, max_depth);
+    // A later key would silently win over an earlier one (glTF forbids them).
+    std::vector<std::set<std::string>> keys;
+    const auto unique_keys = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+        using Event = nlohmann::json::parse_event_t;
+        if (event == Event::object_start) keys.emplace_back();
+        if (event == Event::object_end) keys.pop_back();
+        if (event == Event::key && !keys.back().insert(value.get<std::string>()).second)
+            throw input_error("the key \"" + value.get<std::string>() + "\" appears twice in one object",
+                              where);
+        return true;
+    };
     try {
-        return nlohmann::json::parse(text.begin(), text.end(), nullptr, true, comments);
+        return nlohmann::json::parse(text.begin(), text.end(), unique_keys, true, comments);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t byte = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
         const auto line =
