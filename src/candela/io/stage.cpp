@@ -37,16 +37,16 @@ class Object {
     }
 };
 
-float number(const json& value, const std::string& where, float low, float high, const std::string& range) {
+/// The limits are double, as JSON's numbers are: 0.1f is above 0.1, and would refuse the limit itself.
+float number(const json& value, const std::string& where, double low, double high, const std::string& range) {
     if (!value.is_number()) throw input_error("must be a number", where);
     const auto x = value.get<double>();
-    if (!(x >= static_cast<double>(low) && x <= static_cast<double>(high)))
-        throw input_error("out of range", where, range);
+    if (!(x >= low && x <= high)) throw input_error("out of range", where, range);
     return static_cast<float>(x);
 }
 
 float positive(const json& value, const std::string& where) {
-    return number(value, where, 1e-9f, 1e12f, "a number greater than 0");
+    return number(value, where, 1e-9, 1e12, "a number greater than 0");
 }
 
 bool boolean(const json& value, const std::string& where) {
@@ -65,7 +65,7 @@ glm::vec3 point(const json& value, const std::string& where) {
     if (!value.is_array() || value.size() != 3) throw input_error("must be three numbers [x, y, z]", where);
     glm::vec3 p;
     for (int i = 0; i < 3; ++i) {
-        p[i] = number(value[static_cast<std::size_t>(i)], where + "/" + std::to_string(i), -1e9f, 1e9f,
+        p[i] = number(value[static_cast<std::size_t>(i)], where + "/" + std::to_string(i), -1e9, 1e9,
                       "-1e9 to 1e9");
     }
     return p;
@@ -82,11 +82,10 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
          {"studio", [&](const json& v, const std::string& at) { studio = boolean(v, at); }},
          {"none", [&](const json& v, const std::string& at) { e.none = boolean(v, at); }},
          {"scale",
-          [&](const json& v, const std::string& at) { e.scale = number(v, at, 0.0f, 1e12f, "0 or more"); }},
+          [&](const json& v, const std::string& at) { e.scale = number(v, at, 0.0, 1e12, "0 or more"); }},
          {"rotation_deg",
           [&](const json& v, const std::string& at) {
-              e.rotation_rad =
-                  number(v, at, -36000.0f, 36000.0f, "degrees") * static_cast<float>(M_PI / 180.0);
+              e.rotation_rad = number(v, at, -36000.0, 36000.0, "degrees") * static_cast<float>(M_PI / 180.0);
           }},
          {"illuminance_lx",
           [&](const json& v, const std::string& at) { e.illuminance_lx = positive(v, at); }},
@@ -106,7 +105,7 @@ StageCamera read_camera(const json& value, const std::string& where) {
          {"look_from", [&](const json& v, const std::string& at) { c.look_from = point(v, at); }},
          {"look_at", [&](const json& v, const std::string& at) { c.look_at = point(v, at); }},
          {"focal_mm", [&](const json& v, const std::string& at) {
-              c.focal_mm = number(v, at, 1.0f, 5000.0f, "1 to 5000 mm");
+              c.focal_mm = number(v, at, 1.0, 5000.0, "1 to 5000 mm");
           }}});
     if (c.name && c.look_from) throw input_error("has both a name and look_from", where, "keep one of them");
     return c;
@@ -118,17 +117,17 @@ scene::Exposure read_exposure(const json& value, const std::string& where) {
     const Object object(
         value, where,
         {{"ev100",
-          [&](const json& v, const std::string& at) { e.ev100 = number(v, at, -30.0f, 40.0f, "-30 to 40"); }},
+          [&](const json& v, const std::string& at) { e.ev100 = number(v, at, -30.0, 40.0, "-30 to 40"); }},
          {"aperture_f",
           [&](const json& v, const std::string& at) {
-              e.aperture_f = number(v, at, 0.1f, 1000.0f, "0.1 to 1000");
+              e.aperture_f = number(v, at, 0.1, 1000.0, "0.1 to 1000");
           }},
          {"shutter_s", [&](const json& v, const std::string& at) { e.shutter_s = positive(v, at); }},
-         {"iso", [&](const json& v,
-                     const std::string& at) { e.iso = number(v, at, 1.0f, 1e7f, "1 to 10,000,000"); }},
+         {"iso",
+          [&](const json& v, const std::string& at) { e.iso = number(v, at, 1.0, 1e7, "1 to 10,000,000"); }},
          {"automatic", [&](const json& v, const std::string& at) { automatic = boolean(v, at); }},
          {"compensation_ev", [&](const json& v, const std::string& at) {
-              e.compensation_ev = number(v, at, -30.0f, 30.0f, "-30 to 30");
+              e.compensation_ev = number(v, at, -30.0, 30.0, "-30 to 30");
           }}});
     const int camera = (e.aperture_f ? 1 : 0) + (e.shutter_s ? 1 : 0) + (e.iso ? 1 : 0);
     if (camera == 1 || camera == 2) throw input_error("needs aperture_f, shutter_s and iso together", where);
