@@ -19,9 +19,7 @@ json parse_file(const std::string& file) {
     return json::parse(slurp(file));
 }
 
-json documents() {
-    return parse_file(std::string(CANDELA_SOURCE_DIR) + "/tests/stage/documents.json");
-}
+const json kDocuments = parse_file(std::string(CANDELA_SOURCE_DIR) + "/tests/stage/documents.json");
 
 /// The error line, or nothing.
 std::string error_of(const std::string& text) {
@@ -48,11 +46,11 @@ void collect_keys(const json& schema, const std::string& at, std::set<std::strin
 }  // namespace
 
 TEST(Stage, GoodDocumentsAreRead) {
-    for (const json& d : documents()["good"]) EXPECT_EQ(error_of(d.dump()), "") << d;
+    for (const json& d : kDocuments["good"]) EXPECT_EQ(error_of(d.dump()), "") << d;
 }
 
 TEST(Stage, BadDocumentsNameTheirPointer) {
-    for (const json& entry : documents()["bad"]) {
+    for (const json& entry : kDocuments["bad"]) {
         const std::string pointer = entry[0];
         const std::string line = error_of(entry[1].dump());
         EXPECT_NE(line.find("a.stage.json: " + pointer + ": "), std::string::npos)
@@ -64,7 +62,7 @@ TEST(Stage, EveryKeyOfTheSchemaIsTriedByAGoodDocument) {
     std::set<std::string> keys;
     collect_keys(parse_file(std::string(CANDELA_SOURCE_DIR) + "/docs/stage.schema.json"), "", keys);
     EXPECT_GT(keys.size(), 15u);
-    for (const json& d : documents()["good"]) {
+    for (const json& d : kDocuments["good"]) {
         const json flat = d.flatten();
         for (const auto& [pointer, value] : flat.items()) {
             std::string key = pointer;
