@@ -73,7 +73,7 @@ std::map<std::string, io::ExrAttribute> exr_attributes(const Job& job, const rea
                                                        const PictureInfo& info) {
     std::map<std::string, io::ExrAttribute> a{{"whiteLuminance", 1.0f},
                                               {"candela/version", std::string(version())},
-                                              {"candela/mode", std::string("realtime")},
+                                              {"candela/mode", info.mode},
                                               {"candela/profile", job.profile.name},
                                               {"candela/techniques", realtime::describe(job.profile)},
                                               {"candela/device", info.device},

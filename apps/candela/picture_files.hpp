@@ -25,6 +25,7 @@ struct PictureInfo {
     std::string device;
     std::uint32_t samples = 1;
     std::uint32_t seed = 0;
+    std::string mode = "realtime";
 };
 
 /// Writes every output. PNG is display-referred (exposure, tone curve, sRGB); EXR is luminance in cd/m^2.

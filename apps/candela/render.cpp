@@ -15,7 +15,7 @@ namespace {
 struct RenderOptions {
     JobOptions job;
     PictureFileOptions files;
-    std::uint32_t samples = 4;
+    std::uint32_t samples = 0;  ///< 0: what suits the mode
     std::string mode = "realtime";
 };
 
@@ -28,10 +28,15 @@ void throw_validation(const gpu::Device& device) {
     if (!messages.empty()) throw machine_error("validation: " + messages.front());
 }
 
+std::uint32_t default_samples(const std::string& mode) {
+    return mode == "integrate" ? 64 : 4;
+}
+
 int render(RenderOptions options) {
     const auto start = std::chrono::steady_clock::now();
     if (options.files.outputs.empty()) options.files.outputs = {"out.png"};
     check_outputs(options.files);
+    if (options.samples == 0) options.samples = default_samples(options.mode);
     Job job = prepare(options.job);
     const double load_s = seconds_since(start);
 
@@ -50,6 +55,7 @@ int render(RenderOptions options) {
         renderer_options.profile = job.profile;
         renderer_options.tone_curve = job.tone_curve;
         renderer_options.aovs = !options.files.aovs.empty();
+        if (options.mode == "integrate") renderer_options.integrate.emplace();
         const auto setup = std::chrono::steady_clock::now();
         realtime::Renderer renderer(device, job.scene, renderer_options);
         setup_s = seconds_since(setup);
@@ -62,7 +68,7 @@ int render(RenderOptions options) {
         job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
     }
     const auto write = std::chrono::steady_clock::now();
-    write_pictures(options.files, job, still, {device_text, options.samples, options.job.seed});
+    write_pictures(options.files, job, still, {device_text, options.samples, options.job.seed, options.mode});
     const double write_s = seconds_since(write);
 
     print_warnings(job.diagnostics);
@@ -71,6 +77,7 @@ int render(RenderOptions options) {
             {"outputs", options.files.outputs},
             {"version", version()},
             {"device", device_text},
+            {"mode", options.mode},
             {"profile", job.profile.name},
             {"techniques", realtime::describe(job.profile)},
             {"width", still.width},
@@ -106,10 +113,11 @@ void add_render(CLI::App& app, Action& action) {
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
     add_device_options(*command, options->job);
-    command->add_option("--samples,--spp", options->samples, "Samples a pixel")
-        ->check(CLI::Range(1u, 4096u))
+    command->add_option("--samples,--spp", options->samples, "Samples a pixel [4, or 64 to integrate]")
+        ->check(CLI::Range(1u, 4096u));
+    command->add_option("--mode", options->mode, "How light is found")
+        ->check(CLI::IsMember({"realtime", "integrate"}))
         ->capture_default_str();
-    command->add_option("--mode", options->mode, "How light is found")->check(CLI::IsMember({"realtime"}));
     command->add_option("--png-bits", options->files.png_bits, "8 or 16")->check(CLI::IsMember({8, 16}));
     command->add_option("--exr-type", options->files.exr_type, "half or float")
         ->check(CLI::IsMember({"half", "float"}));
