@@ -62,10 +62,16 @@ struct SurfacePoint {
 SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     SurfacePoint p;
     p.g = g;
+    p.g.normal = normal_facing(g.normal, v);
+    if (kShadeLayers) {
+        p.g.coat_normal = normal_facing(g.coat_normal, v);
+        vec3 across = g.tangent - p.g.normal * dot(p.g.normal, g.tangent);
+        p.g.tangent = across * inversesqrt(max(dot(across, across), 1.0e-12));
+    }
     p.position = position;
     p.v = v;
-    p.bitangent = kShadeLayers ? cross(g.normal, g.tangent) : vec3(0.0);
-    p.NoV = clamp(dot(g.normal, v), 1.0e-4, 1.0);
+    p.bitangent = kShadeLayers ? cross(p.g.normal, p.g.tangent) : vec3(0.0);
+    p.NoV = clamp(dot(p.g.normal, v), 1.0e-4, 1.0);
     p.dfg = directional_albedo(p.NoV, g.surface.perceptual_roughness);
     p.prepared = prepare_surface(g.surface, techniques(), p.NoV, p.dfg);
     return p;
