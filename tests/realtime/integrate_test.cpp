@@ -276,20 +276,33 @@ TEST(Integrate, LightsWithoutExtentAreExactInOneSample) {
 
 TEST(Integrate, LightOfBlendedSurfacesIsIntegratedToo) {
     scene::Material back = grey(0.0f);
-    back.emissive_nit = glm::vec3(40.0f);
-    scene::Material pane = grey(0.5f);
+    back.emissive_nit = glm::vec3(1.0f);
+    scene::Material pane = material(1.0f, 1638.0f / 4095.0f);
     pane.alpha_mode = scene::AlphaMode::blend;
     pane.base_color.w = 0.25f;
     scene::Scene s = scene_of(square(20.0f), back);
     s.materials.push_back(pane);
     s.meshes.push_back({"pane", {square(20.0f, 1)}});
     s.instances.push_back({"pane", 1, glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, 1))});
-    s.environment = constant(0.0f);
-    s.environment->luminance_nit[16 * 3] = glm::vec3(1.0e6f);  // the real-time maps would smear this
-    s.environment->luminance_nit[32 * 8 + 30] = glm::vec3(1.0e5f);
-    const Point p{surface_of(pane), shading::techniques_best(), {0, 0, 1}, {0, 0, 1}, glm::vec4(1.0f)};
-    const double expected = 0.25 * reflected_nit(*s.environment, p).x + 0.75 * 40.0;
-    EXPECT_NEAR(mean(render(s, integrating("best", 64, 64), parallel({0, 0, 1}))).x / expected, 1.0, 0.005);
+    s.environment = lamp_in_a_room();
+    Point p;
+    p.surface = surface_of(pane);
+    p.techniques = shading::techniques_frostbite();
+    p.v = viewer(0.5f);
+    const double expected = 0.25 * reflected_nit(*s.environment, p).x + 0.75 * 1.0;
+    EXPECT_NEAR(mean(render(s, integrating("frostbite", 64, 64), parallel(p.v))).x / expected, 1.0, 0.005);
+    EXPECT_GT(std::abs(mean(render(s, options("frostbite", 64, 4), parallel(p.v))).x / expected - 1.0), 0.01)
+        << "the technique is off here, or this would not tell the two apart";
+}
+
+// Half floats exposed for the sun have no digits left for what does not see it.
+TEST(Integrate, WhatDoesNotSeeTheSunKeepsItsDigits) {
+    scene::Scene s = scene_of(square(20.0f), grey(0.5f));
+    s.environment = black(256, 128);
+    s.environment->luminance_nit.assign(std::size_t{256} * 128, glm::vec3(0.01f));
+    s.environment->luminance_nit[40 * 256 + 128] = glm::vec3(1.0e9f);  // -Z
+    const double seen = mean(render(s, integrating("best", 32, 16), parallel({0, 0, 1}), fixed_ev(-5.0f))).x;
+    EXPECT_NEAR(seen / 0.005, 1.0, 0.01);
 }
 
 TEST(Integrate, TheSameInputGivesTheSameBytesAndASeedAnother) {
