@@ -24,6 +24,14 @@ FN vec3 to_local(vec3 world, vec3 t, vec3 b, vec3 n) {
     return vec3(dot(world, t), dot(world, b), dot(world, n));
 }
 
+// The normal turned towards the viewer until he sees it, at a cosine of 1e-4 or more. Interpolation and normal mapping
+// turn normals away from him; clamping the cosine alone leaves a half-vector that belongs to another view than the
+// clamped one, and the lobe that is evaluated then differs by orders of magnitude from the lobe that is drawn from.
+FN vec3 normal_facing(vec3 n, vec3 v) {
+    float NoV = dot(n, v);
+    return NoV >= 1.0e-4f ? n : normalize(n + (1.0e-4f - NoV) * v);
+}
+
 CANDELA_SHADING_END
 
 #endif

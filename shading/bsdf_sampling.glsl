@@ -70,8 +70,9 @@ FN float pdf_ggx_reflection(vec3 local_v, vec3 local_l, vec2 alpha) {
     vec3 sum = v + local_l;
     float length2 = dot(sum, sum);
     if (local_l.z <= 0.0f || length2 < 1.0e-12f) return 0.0f;
-    vec3 h = sum * inversesqrt(length2);
-    return pdf_reflected(pdf_ggx_vndf(v, h, alpha), dot(v, h));
+    // VoH cancels between the density of h and pdf_reflected. It must: at grazing angles v + l has few digits, and a
+    // VoH that comes out negative would make the density 0 where the lobe is highest.
+    return 0.25f * ggx_visible_normals(v, sum * inversesqrt(length2), alpha);
 }
 
 // A direction towards the light; it may lie below the horizon of n, where the BSDF is 0. choice in [0,1), u in

@@ -31,6 +31,24 @@ FN float environment_texel_pdf(float share, int row, ivec2 size) {
     return share / max(equirect_texel_solid_angle(uint(row), uint(size.x), uint(size.y)), 1.0e-20f);
 }
 
+// The four texels about a direction and where it lies between their centres: columns wrap around, rows end at the poles.
+// The reading that the weights of bake/environment_distribution.hpp are integrals of.
+struct BilinearTexels {
+    ivec2 low;
+    ivec2 high;
+    vec2 fraction;
+};
+FN BilinearTexels environment_bilinear(vec3 unit_direction, ivec2 size) {
+    vec2 at = equirect_uv(unit_direction) * vec2(float(size.x), float(size.y)) - vec2(0.5f);
+    vec2 corner = floor(at);
+    ivec2 low = ivec2(int(corner.x), int(corner.y));
+    BilinearTexels t;
+    t.low = ivec2((low.x + size.x) % size.x, clamp(low.y, 0, size.y - 1));
+    t.high = ivec2((low.x + 1 + size.x) % size.x, clamp(low.y + 1, 0, size.y - 1));
+    t.fraction = at - corner;
+    return t;
+}
+
 CANDELA_SHADING_END
 
 #endif

@@ -61,12 +61,15 @@ FN vec3 sample_ggx_vndf(vec2 u, vec3 v, vec2 alpha) {
 FN vec3 sample_ggx_vndf(vec2 u, vec3 v, float alpha) {
     return sample_ggx_vndf(u, v, vec2(alpha));
 }
+// G1(v) D / NoV: the density of visible normals over VoH.
+FN float ggx_visible_normals(vec3 v, vec3 h, vec2 alpha) {
+    if (v.z <= 0.0f || h.z <= 0.0f) return 0.0f;
+    float masking_over_cosine = 2.0f / (v.z + length(vec3(alpha.x * v.x, alpha.y * v.y, v.z)));
+    return masking_over_cosine * D_GGXAnisotropic(h.z, h.x, h.y, alpha.x, alpha.y);
+}
 // G1(v) D VoH / NoV: Heitz 2018, equation 3.
 FN float pdf_ggx_vndf(vec3 v, vec3 h, vec2 alpha) {
-    float VoH = dot(v, h);
-    if (v.z <= 0.0f || h.z <= 0.0f || VoH <= 0.0f) return 0.0f;
-    float masking_over_cosine = 2.0f / (v.z + length(vec3(alpha.x * v.x, alpha.y * v.y, v.z)));
-    return masking_over_cosine * VoH * D_GGXAnisotropic(h.z, h.x, h.y, alpha.x, alpha.y);
+    return ggx_visible_normals(v, h, alpha) * max(dot(v, h), 0.0f);
 }
 FN float pdf_ggx_vndf(vec3 v, vec3 h, float alpha) {
     return pdf_ggx_vndf(v, h, vec2(alpha));

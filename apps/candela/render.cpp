@@ -15,8 +15,10 @@
 namespace candela::app {
 namespace {
 
-/// Of a still of the real-time frame.
-constexpr std::uint32_t kFrameSamples = 4;
+/// Of a still on the device: of the real-time frame, and of the integrals that it approximates.
+std::uint32_t default_samples(const std::string& mode) {
+    return mode == "integrate" ? 64 : 4;
+}
 
 struct RenderOptions {
     JobOptions job;
@@ -41,7 +43,7 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
                                    Seconds& seconds) {
     const gpu::Device device(device_options(options.job));
     info.device = device_line(device.info());
-    info.samples = options.samples.value_or(kFrameSamples);
+    info.samples = options.samples.value_or(default_samples(options.mode));
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
     realtime::Still still;
     {
@@ -53,6 +55,7 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
         renderer_options.profile = job.profile;
         renderer_options.tone_curve = job.tone_curve;
         renderer_options.aovs = !options.files.aovs.empty();
+        if (options.mode == "integrate") renderer_options.integrate.emplace();
         const auto setup = std::chrono::steady_clock::now();
         realtime::Renderer renderer(device, job.scene, renderer_options);
         seconds["setup"] = seconds_since(setup);
@@ -164,12 +167,16 @@ void add_render(CLI::App& app, Action& action) {
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
     add_device_options(*command, options->job);
-    command->add_option("--samples,--spp", options->samples, "Samples a pixel (realtime 4, path 256)")
+    command
+        ->add_option("--samples,--spp", options->samples,
+                     "Samples a pixel (realtime 4, integrate 64, path 256)")
         ->check(CLI::Range(1u, 1u << 24));
     command
-        ->add_option("--mode", options->mode,
-                     "How light is found: realtime, or path (ground truth, on the CPU)")
-        ->check(CLI::IsMember({"realtime", "path"}))
+        ->add_option(
+            "--mode", options->mode,
+            "How light is found: realtime; integrate (the frame's integrals in full, on the device); path "
+            "(ground truth with shadows and bounces, on the CPU)")
+        ->check(CLI::IsMember({"realtime", "integrate", "path"}))
         ->capture_default_str();
     add_path_options(*command, options->path);
     command->add_option("--png-bits", options->files.png_bits, "8 or 16")->check(CLI::IsMember({8, 16}));

@@ -128,6 +128,30 @@ TEST(CommandLine, TwoRunsGiveTheSameBytesAndSeveralOutputsOnePicture) {
         << "no temporary file stays behind";
 }
 
+TEST(CommandLine, ModesAreNamedInWhatTheyWrite) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "plane.exr";
+    const std::string arguments = " --size 16x16 --ev100 10 --json -o " + file;
+    const auto json_of = [&](const std::string& mode) {
+        const Outcome outcome = run_candela("render " + scene_file("grey_plane") + mode + arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    };
+    const auto has = [&](const std::string& text) {
+        const auto bytes = candela::io::read_file(file, 1u << 20);
+        return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find(text) !=
+               std::string_view::npos;
+    };
+    EXPECT_EQ(json_of("")["mode"], "realtime");
+    EXPECT_TRUE(has("realtime"));
+    const auto integrated = json_of(" --mode integrate");
+    EXPECT_EQ(integrated["mode"], "integrate");
+    EXPECT_EQ(integrated["samples"], 64);
+    EXPECT_TRUE(has("integrate"));
+    EXPECT_NEAR(center_red(candela::io::read_exr(file)) / (10000.0f * 0.5f / kPi), 1.0f, 0.01f);
+    expect_one_line(run_candela("render scene.glb --mode guess"), 2, "--mode");
+}
+
 TEST(CommandLine, AnUnlitSceneGetsTheStudioAndSaysSo) {
     const TemporaryFolder out;
     const Outcome run =

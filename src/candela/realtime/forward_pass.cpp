@@ -1,6 +1,7 @@
 #include "candela/realtime/forward_pass.hpp"
 
 #include "candela_shaders/forward_frag.hpp"
+#include "candela_shaders/integrate_forward_frag.hpp"
 #include "candela_shaders/mesh_vert.hpp"
 
 namespace candela::realtime {
@@ -10,12 +11,12 @@ gpu::PipelineLayout make_layout(const gpu::Device& device) {
     return {device, {{shading_set_layout(), GpuScene::material_set_layout()}, 64}};
 }
 
-gpu::GraphicsDesc make_desc() {
+gpu::GraphicsDesc make_desc(const FrameResources& frame) {
     gpu::GraphicsDesc desc;
     desc.vertex = shaders::mesh_vert;
-    desc.fragment = shaders::forward_frag;
+    desc.fragment = frame.integrate ? shaders::integrate_forward_frag : shaders::forward_frag;
     describe_vertices(desc);
-    desc.color_formats = {kLightFormat};
+    desc.color_formats = {frame.light_format()};
     desc.blends = {gpu::Blend::premultiplied_over};
     desc.depth_format = kDepthFormat;
     desc.depth_write = false;
@@ -32,7 +33,7 @@ ShadeVariant variant(const GpuScene& scene) {
 }  // namespace
 
 ForwardPass::ForwardPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene)
-    : pipelines_(device, make_layout(device), make_desc(), variant(scene)), order_(device, scene) {
+    : pipelines_(device, make_layout(device), make_desc(frame), variant(scene)), order_(device, scene) {
     pipelines_.prepare(frame, scene, true);
 }
 

@@ -19,13 +19,15 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.shading_class),
             bits(variant.emissive),
             bits(frame.write_aovs),
-            bits(variant.forward)};
+            bits(variant.forward),
+            bits(frame.integrate.value_or(Strategy::both))};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
     return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -34,7 +36,8 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.dfg.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
-            gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get())};
+            gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
+            gpu::bind_buffer(frame.environment_distribution)};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -43,6 +46,7 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.environment.specular, gpu::Use::sampled);
     commands.use(frame.environment.irradiance, gpu::Use::sampled);
     commands.use(frame.environment.background, gpu::Use::sampled);
+    commands.use(frame.environment_distribution, gpu::Use::storage_read);
 }
 
 }  // namespace candela::realtime

@@ -3,10 +3,12 @@
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "candela/bake/environment.hpp"
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/gpu_scene.hpp"
+#include "candela/realtime/integrate_pass.hpp"
 #include "candela/realtime/profile.hpp"
 
 namespace candela::realtime {
@@ -24,6 +26,7 @@ struct FrameBlock {
     glm::vec4 ray;
     glm::vec4 ray_dx;
     glm::vec4 ray_dy;
+    glm::uvec4 random;
 };
 
 /// Shading classes of shaders/gbuffer.glsl.
@@ -32,7 +35,6 @@ inline constexpr std::uint32_t kShadingClasses = 4;
 inline constexpr std::uint32_t kTileSize = 8;
 
 inline constexpr VkFormat kGBufferFormat = VK_FORMAT_R32G32B32A32_UINT;
-inline constexpr VkFormat kLightFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kIdFormat = VK_FORMAT_R32G32_UINT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kPictureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -60,6 +62,7 @@ struct FrameResources {
     std::uint32_t tiles_x = 0;
     std::uint32_t tiles_y = 0;
     Profile profile;
+    std::optional<Strategy> integrate;  ///< the integrals themselves instead of the profile's techniques
     bool write_aovs = false;
     bool has_environment = false;
     bool all_targets = false;  ///< the G-buffer pass also writes emission, layers and ids
@@ -69,20 +72,26 @@ struct FrameResources {
     gpu::Image layers;  ///< 1 x 1 without all_targets
     gpu::Image ids;     ///< 1 x 1 without all_targets
     gpu::Image depth;
-    gpu::Image light;
+    gpu::Image light;  ///< pre-exposed
     gpu::Buffer tiles;
     std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
 
     gpu::Image dfg;
     bake::EnvironmentMaps environment;
-    gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
-    gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
+    gpu::Buffer environment_distribution;  ///< a word when nothing is integrated
+    gpu::Owned<VkSampler> clamp;           ///< linear, clamp to edge
+    gpu::Owned<VkSampler> repeat_u;        ///< linear, repeats in u
     gpu::Owned<VkSampler> nearest;
 
+    /// Half floats are enough for a finished frame. A sample of an integral may be far above its mean, and a
+    /// mean of samples that were rounded or clamped is not the integral.
+    [[nodiscard]] VkFormat light_format() const noexcept {
+        return integrate ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+    }
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...14 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...15 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
@@ -93,7 +102,7 @@ struct ShadeVariant {
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...5 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...6 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

@@ -17,7 +17,8 @@ gpu::GraphicsDesc make_desc(const FrameResources& frame) {
     desc.fragment = frame.all_targets ? shaders::gbuffer_all_frag : shaders::gbuffer_frag;
     describe_vertices(desc);
     desc.color_formats = {kGBufferFormat};
-    if (frame.all_targets) desc.color_formats = {kGBufferFormat, kLightFormat, kGBufferFormat, kIdFormat};
+    if (frame.all_targets)
+        desc.color_formats = {kGBufferFormat, frame.light_format(), kGBufferFormat, kIdFormat};
     desc.blends.assign(desc.color_formats.size(), gpu::Blend::off);
     desc.depth_format = kDepthFormat;
     return desc;

@@ -1,5 +1,6 @@
 #include "candela/realtime/lighting_pass.hpp"
 
+#include "candela_shaders/integrate_comp.hpp"
 #include "candela_shaders/lighting_comp.hpp"
 
 namespace candela::realtime {
@@ -14,31 +15,32 @@ gpu::LayoutDesc layout() {
     return {{types}, 0};
 }
 
-const char* pass_name(ShadingClass shading_class) {
+std::string pass_name(ShadingClass shading_class, bool integrate) {
+    const std::string name = integrate ? "integrate" : "lighting";
     switch (shading_class) {
         case ShadingClass::background:
             return "background";
         case ShadingClass::layered:
-            return "lighting, layered";
+            return name + ", layered";
         case ShadingClass::unlit:
             return "unlit";
         default:
-            return "lighting";
+            return name;
     }
 }
 
 }  // namespace
 
 LightingPass::LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene) {
+    const gpu::SpirV code = frame.integrate ? shaders::integrate_comp : shaders::lighting_comp;
     const auto add = [&](ShadingClass shading_class) {
         ShadeVariant variant;
         variant.shading_class = shading_class;
         variant.layers = shading_class == ShadingClass::layered;
         variant.lights = scene.light_count > 0;
         variant.emissive = scene.any_emissive;
-        pipelines_.push_back(
-            {shading_class, gpu::create_compute_pipeline(device, shaders::lighting_comp, layout(),
-                                                         specialization(frame, variant))});
+        pipelines_.push_back({shading_class, gpu::create_compute_pipeline(device, code, layout(),
+                                                                          specialization(frame, variant))});
     };
     add(ShadingClass::background);
     bool standard = false;
@@ -69,7 +71,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
 
     for (const ClassPipeline& p : pipelines_) {
         const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
-        commands.begin_pass(pass_name(p.shading_class));
+        commands.begin_pass(pass_name(p.shading_class, frame.integrate.has_value()));
         commands.dispatch_indirect(p.pipeline, bindings, {}, frame.tiles, arguments);
     }
 }

@@ -6,7 +6,8 @@
 
 namespace candela::realtime {
 
-/// Pass 3: lights the G-buffer, one compute pipeline a shading class over its own tiles.
+/// Pass 3: lights the G-buffer, one compute pipeline a shading class over its own tiles; by the profile's
+/// techniques or, when the frame integrates, by a sample of the integrals.
 class LightingPass {
   public:
     LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);

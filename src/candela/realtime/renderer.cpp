@@ -25,7 +25,8 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.height = options.height;
     frame.tiles_x = groups(options.width, kTileSize);
     frame.tiles_y = groups(options.height, kTileSize);
-    frame.profile = options.profile;
+    frame.profile = options.integrate ? integrand(options.profile) : options.profile;
+    if (options.integrate) frame.integrate = options.integrate->strategy;
     frame.write_aovs = options.aovs;
     frame.has_environment = scene.environment.has_value();
     frame.all_targets = gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs;
@@ -39,7 +40,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.layers = image(kGBufferFormat, color, frame.all_targets);
     frame.ids = image(kIdFormat, color, frame.all_targets);
     frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
-    frame.light = image(kLightFormat, color | VK_IMAGE_USAGE_STORAGE_BIT, true);
+    frame.light = image(frame.light_format(), color | VK_IMAGE_USAGE_STORAGE_BIT, true);
     for (gpu::Image& aov : frame.aovs) aov = image(kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT, options.aovs);
     frame.tiles = gpu::Buffer(device, ClassifyPass::tile_buffer_bytes(frame.tile_count()),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
@@ -62,6 +63,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
                                            : bake::DfgModel::smith_correlated);
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
+    const scene::Environment* integrated =
+        options.integrate && scene.environment ? &*scene.environment : nullptr;
+    frame.environment_distribution = upload_environment_distribution(device, commands, integrated);
     return frame;
 }
 
@@ -112,7 +116,7 @@ struct Renderer::State {
     }
 
     void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
-                           float footprint);
+                           float footprint, std::uint32_t sample, std::uint32_t draws);
     void record_light(const scene::Camera& camera);
     [[nodiscard]] float meter(const scene::Camera& camera, bool& found);
 
@@ -136,7 +140,7 @@ struct Renderer::State {
 };
 
 void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
-                                        float footprint) {
+                                        float footprint, std::uint32_t sample, std::uint32_t draws) {
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     glm::mat4 shift(1.0f);
     shift[3][0] = 2.0f * jitter_px.x / static_cast<float>(frame.width);
@@ -153,6 +157,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     block.size =
         glm::ivec4(frame.width, frame.height, gpu_scene.light_count, frame.environment.specular_levels);
     block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
+    block.random = glm::uvec4(sample, options.seed, draws, 0);
     write_rays(block, glm::vec2(frame.width, frame.height));
     std::memcpy(frame.frame_block.mapped(), &block, sizeof(block));
 }
@@ -171,7 +176,7 @@ float Renderer::State::meter(const scene::Camera& camera, bool& found) {
     // A wild first guess only costs another look: the histogram spans 32 stops around it.
     for (int attempt = 0; attempt < 3; ++attempt) {
         const float pre = pre_exposure(shading::exposure_from_ev100(ev100));
-        write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f);
+        write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
         commands.begin();
         record_light(camera);
         metering.record(commands, frame);
@@ -203,10 +208,11 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
     const float pre = s.pre_exposure(still.exposure);
     const std::uint32_t samples = std::max(1u, s.options.samples);
     const float footprint = 1.0f / std::sqrt(static_cast<float>(samples));
+    const std::uint32_t draws = s.options.integrate ? s.options.integrate->draws : 1;
     for (std::uint32_t i = 0; i < samples; ++i) {
         const glm::vec2 jitter =
             samples == 1 ? glm::vec2(0.0f) : shading::sobol_owen(i, s.options.seed) - glm::vec2(0.5f);
-        s.write_frame_block(camera, pre, jitter, footprint);
+        s.write_frame_block(camera, pre, jitter, footprint, i, draws);
         s.commands.begin();
         s.record_light(camera);
         s.picture->record(s.commands, s.frame, 1.0f / pre, i == 0);
@@ -231,7 +237,7 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     }
     const float wanted = shading::exposure_from_ev100(ev100 - exposure.compensation_ev);
     const float pre = s.pre_exposure(wanted);
-    s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f);
+    s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
     s.commands.begin();
     s.record_light(camera);
     if (exposure.automatic()) s.metering.record(s.commands, s.frame);

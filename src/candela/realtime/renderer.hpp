@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
+#include "candela/realtime/integrate_pass.hpp"
 #include "candela/realtime/picture_pass.hpp"
 #include "candela/realtime/profile.hpp"
 #include "candela/scene/scene.hpp"
@@ -19,6 +20,9 @@ struct RendererOptions {
     Profile profile;
     std::uint32_t tone_curve = 3;  ///< of shading/tone_curves.glsl; interactive frames only
     bool aovs = false;
+    /// Finds the integrals that the profile's techniques approximate, one sample of them in each of
+    /// `samples`: the mode `integrate`.
+    std::optional<IntegrateOptions> integrate;
 };
 
 /// A finished still, scene-referred: luminance in cd/m^2, exposure undone, row 0 on top.

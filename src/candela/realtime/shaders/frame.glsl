@@ -14,6 +14,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 ray;               // world direction through pixel (0, 0), any length
     vec4 ray_dx;            // its change per pixel
     vec4 ray_dy;
+    uvec4 random;           // x sample, y seed, z draws a sample (integrate.glsl); w unused
 } frame;
 
 vec3 world_position(vec2 pixel, float depth) {
@@ -31,6 +32,13 @@ vec3 to_environment(vec3 d) {
     float c = frame.environment.x;
     float s = frame.environment.y;
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
+}
+
+// The inverse of to_environment.
+vec3 from_environment(vec3 d) {
+    float c = frame.environment.x;
+    float s = frame.environment.y;
+    return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
 }
 
 // From the camera through a pixel, unnormalised: linear in the pixel, so that it costs no matrix and no division.

@@ -61,7 +61,9 @@ uvec4 pack_layers(GBuffer g) {
     uvec4 w;
     w.x = packSnorm2x16(octahedral_encode(g.coat_normal));
     w.y = packUnorm4x8(vec4(sqrt(s.sheen_color), s.sheen_perceptual_roughness));
-    w.z = packUnorm4x8(vec4(sqrt(s.dielectric_f0), tangent_angle(g.normal, g.tangent) / TWO_PI + 0.5));
+    // A lobe is the same after half a turn: 256 steps of half a turn hold 0, 45 and 90 degrees exactly.
+    float steps = mod(round(tangent_angle(g.normal, g.tangent) * (256.0 / PI)), 256.0);
+    w.z = packUnorm4x8(vec4(sqrt(s.dielectric_f0), steps / 255.0));
     w.w = packUnorm4x8(vec4(s.coat, s.coat_perceptual_roughness, s.anisotropy, 0.0));
     return w;
 }
@@ -99,7 +101,7 @@ void unpack_layers(uvec4 w, inout GBuffer g) {
     vec3 t;
     vec3 b;
     orthonormal_basis(g.normal, t, b);
-    float angle = (f0_angle.w - 0.5) * TWO_PI;
+    float angle = f0_angle.w * (255.0 / 256.0 * PI);
     g.tangent = cos(angle) * t + sin(angle) * b;
     vec4 rest = unpackUnorm4x8(w.w);
     g.surface.coat = rest.x;

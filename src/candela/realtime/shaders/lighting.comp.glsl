@@ -1,72 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The one lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all lights are summed
-// in 32 bit, and the result is written pre-exposed (Frostbite 5.2).
+// The one lighting pass of the real-time frame: the profile's techniques.
 #include "frame.glsl"
 #include "shade.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 11) const uint kShadingClass = 1u;
-layout(constant_id = 12) const bool kHasEmissive = false;
-layout(constant_id = 13) const bool kWriteAovs = false;
+#define LIGHT_FORMAT rgba16f
+const float kLightLimit = 65504.0;
 
-layout(set = 0, binding = 6) uniform usampler2D gbuffer_image;
-layout(set = 0, binding = 7) uniform usampler2D layers_image;
-layout(set = 0, binding = 8) uniform sampler2D depth_image;
-layout(set = 0, binding = 9, rgba16f) uniform image2D light_image;
-layout(set = 0, binding = 10, std430) readonly buffer Tiles {
-    uvec4 dispatch[kClassCount];
-    uint list[];
-} tiles;
-layout(set = 0, binding = 11, rgba32f) writeonly uniform image2D direct_diffuse_image;
-layout(set = 0, binding = 12, rgba32f) writeonly uniform image2D direct_specular_image;
-layout(set = 0, binding = 13, rgba32f) writeonly uniform image2D indirect_diffuse_image;
-layout(set = 0, binding = 14, rgba32f) writeonly uniform image2D indirect_specular_image;
-layout(set = 0, binding = 15, rgba32f) writeonly uniform image2D emissive_image;
+Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return shade(g, position, v); }
 
-void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
-    imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));
-    imageStore(direct_specular_image, pixel, vec4(lit.direct_specular, 1.0));
-    imageStore(indirect_diffuse_image, pixel, vec4(lit.indirect_diffuse, 1.0));
-    imageStore(indirect_specular_image, pixel, vec4(lit.indirect_specular, 1.0));
-    imageStore(emissive_image, pixel, vec4(emissive_nit, 1.0));
-}
-
-const Lit kUnlitSurface = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-
-void main() {
-    uint tile = tiles.list[kShadingClass * uint(frame.tiles.z) + gl_WorkGroupID.x];
-    ivec2 pixel = ivec2(tile & 0xffffu, tile >> 16u) * 8 + ivec2(gl_LocalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, frame.size.xy))) return;
-    float depth = texelFetch(depth_image, pixel, 0).r;
-
-    if (kShadingClass == kClassBackground) {
-        if (depth != 0.0) return;
-        vec3 luminance_nit = vec3(0.0);
-        if (kHasEnvironment) {
-            luminance_nit = sample_background(background_map, to_environment(pixel_ray(pixel))) *
-                            (frame.environment.z * frame.environment.w);
-        }
-        imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(65504.0)), 1.0));
-        if (kWriteAovs) write_aovs(pixel, kUnlitSurface, vec3(0.0));
-        return;
-    }
-
-    uvec4 words = texelFetch(gbuffer_image, pixel, 0);
-    if (shading_class(depth, words) != kShadingClass) return;
-
-    if (kShadingClass == kClassUnlit) {
-        if (kWriteAovs) write_aovs(pixel, kUnlitSurface, vec3(0.0));
-        return;
-    }
-
-    GBuffer g = unpack_gbuffer(words);
-    if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
-    vec3 position = kHasLights ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
-    Lit lit = shade(g, position, -normalize(pixel_ray(pixel)));
-    vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
-    vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);
-    sum += emissive;
-    imageStore(light_image, pixel, vec4(min(sum, vec3(65504.0)), 1.0));
-    if (kWriteAovs) write_aovs(pixel, lit, emissive * frame.exposure.y);
-}
+#include "light_pixels.glsl"

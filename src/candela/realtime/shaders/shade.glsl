@@ -39,6 +39,8 @@ struct Lit {
     vec3 indirect_specular;
 };
 
+const Lit kNoLight = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+
 BsdfTechniques techniques() { return BsdfTechniques(kDiffuse, kVisibility, kFresnel, kEnergy); }
 
 vec4 directional_albedo(float NoV, float perceptual_roughness) {
@@ -46,27 +48,59 @@ vec4 directional_albedo(float NoV, float perceptual_roughness) {
     return textureLod(dfg_table, dfg_uv(NoV, perceptual_roughness), 0.0);
 }
 
-void add_lights(GBuffer g, PreparedSurface prepared, vec3 position, vec3 v, vec4 dfg, inout Lit lit) {
-    vec3 bitangent = kShadeLayers ? cross(g.normal, g.tangent) : vec3(0.0);
-    for (int i = 0; i < frame.size.z; ++i) {
-        vec3 l;
-        vec3 perpendicular_lx = perpendicular_illuminance(lights[i], position, l);
-        float NoL = saturate(dot(g.normal, l));
-        vec3 diffuse;
-        vec3 specular;
-        if (kShadeLayers) {
-            evaluate_layered(g.surface, techniques(), g.normal, g.tangent, bitangent, g.coat_normal, v, l, dfg, diffuse,
-                             specular);
-        } else {
-            vec3 h = normalize(v + l);
-            vec3 nxh = cross(g.normal, h);
-            evaluate_prepared(prepared, techniques(), NoL, saturate(dot(g.normal, h)), dot(nxh, nxh),
-                              saturate(dot(l, h)), diffuse, specular);
-        }
-        vec3 illuminance_lx = perpendicular_lx * NoL;
-        lit.direct_diffuse += diffuse * illuminance_lx;
-        lit.direct_specular += specular * illuminance_lx;
+// A surface point and its viewer, with what does not depend on the light. v is a unit vector.
+struct SurfacePoint {
+    GBuffer g;
+    PreparedSurface prepared;
+    vec3 position;  // m, world
+    vec3 v;
+    vec3 bitangent;
+    float NoV;
+    vec4 dfg;
+};
+
+SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
+    SurfacePoint p;
+    p.g = g;
+    p.g.normal = normal_facing(g.normal, v);
+    if (kShadeLayers) {
+        p.g.coat_normal = normal_facing(g.coat_normal, v);
+        vec3 across = g.tangent - p.g.normal * dot(p.g.normal, g.tangent);
+        p.g.tangent = across * inversesqrt(max(dot(across, across), 1.0e-12));
     }
+    p.position = position;
+    p.v = v;
+    p.bitangent = kShadeLayers ? cross(p.g.normal, p.g.tangent) : vec3(0.0);
+    p.NoV = clamp(dot(p.g.normal, v), 1.0e-4, 1.0);
+    p.dfg = directional_albedo(p.NoV, g.surface.perceptual_roughness);
+    p.prepared = prepare_surface(g.surface, techniques(), p.NoV, p.dfg);
+    return p;
+}
+
+// Diffuse and specular part of the BSDF in 1/sr towards unit l, without the cosine.
+void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 specular) {
+    if (kShadeLayers) {
+        evaluate_layered(p.g.surface, techniques(), p.g.normal, p.g.tangent, p.bitangent, p.g.coat_normal, p.v, l, p.dfg,
+                         diffuse, specular);
+    } else {
+        vec3 h = normalize(p.v + l);
+        vec3 nxh = cross(p.g.normal, h);
+        evaluate_prepared(p.prepared, techniques(), NoL, saturate(dot(p.g.normal, h)), dot(nxh, nxh),
+                          saturate(dot(l, h)), diffuse, specular);
+    }
+}
+
+// A light without extent needs no estimate: its integral is one product.
+void add_punctual_light(Light light, SurfacePoint p, inout Lit lit) {
+    vec3 l;
+    vec3 perpendicular_lx = perpendicular_illuminance(light, p.position, l);
+    float NoL = saturate(dot(p.g.normal, l));
+    vec3 diffuse;
+    vec3 specular;
+    evaluate(p, l, NoL, diffuse, specular);
+    vec3 illuminance_lx = perpendicular_lx * NoL;
+    lit.direct_diffuse += diffuse * illuminance_lx;
+    lit.direct_specular += specular * illuminance_lx;
 }
 
 // Prefiltered environment about the lobe's direction, in cd/m^2.
@@ -80,7 +114,11 @@ vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
            frame.environment.z;
 }
 
-void add_environment(GBuffer g, vec3 v, float NoV, vec4 dfg, inout Lit lit) {
+void add_environment(SurfacePoint p, inout Lit lit) {
+    GBuffer g = p.g;
+    vec3 v = p.v;
+    float NoV = p.NoV;
+    vec4 dfg = p.dfg;
     float alpha = alpha_from_perceptual_roughness(g.surface.perceptual_roughness);
     float specular_visible = specular_occlusion(NoV, g.occlusion, alpha);
     vec3 irradiance_over_pi = sample_irradiance(irradiance_map, to_environment(g.normal)) * frame.environment.z;
@@ -100,14 +138,12 @@ void add_environment(GBuffer g, vec3 v, float NoV, vec4 dfg, inout Lit lit) {
 }
 
 Lit shade(GBuffer g, vec3 position, vec3 v) {
-    float NoV = clamp(dot(g.normal, v), 1.0e-4, 1.0);
-    vec4 dfg = directional_albedo(NoV, g.surface.perceptual_roughness);
-    Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    SurfacePoint p = surface_point(g, position, v);
+    Lit lit = kNoLight;
     if (kHasLights) {
-        PreparedSurface prepared = prepare_surface(g.surface, techniques(), NoV, dfg);
-        add_lights(g, prepared, position, v, dfg, lit);
+        for (int i = 0; i < frame.size.z; ++i) add_punctual_light(lights[i], p, lit);
     }
-    if (kHasEnvironment) add_environment(g, v, NoV, dfg, lit);
+    if (kHasEnvironment) add_environment(p, lit);
     return lit;
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "candela/gpu/commands.hpp"
+#include "candela/realtime/profile.hpp"
+#include "candela/scene/scene.hpp"
+
+/// The mode `integrate`: the lighting and the forward pass run shaders/integrate.glsl instead of the
+/// profile's techniques. Here is what they need beside the frame.
+namespace candela::realtime {
+
+/// Which of the two ways to draw directions towards lights with extent are used. Each alone converges to the
+/// same integral, slower. The numbers are those of shaders/integrate.glsl.
+enum class Strategy : std::uint8_t { both, light, bsdf };
+
+struct IntegrateOptions {
+    Strategy strategy = Strategy::both;
+    std::uint32_t draws = 4;  ///< of each strategy in a sample of a pixel
+};
+
+/// Draws for the one frame that the exposure is metered from: the mean of logarithms is lower than the
+/// logarithm of the mean, so the frame must not be noisy.
+inline constexpr std::uint32_t kMeterDraws = 16;
+
+/// The integrand of a profile: its BSDF without the techniques that only approximate integrals. The DFG table
+/// stays, for energy compensation, and pixels' footprints are supersampled.
+[[nodiscard]] Profile integrand(Profile profile);
+
+/// bake::EnvironmentDistribution in the order of shaders/integrate.glsl; one word without an environment.
+[[nodiscard]] gpu::Buffer upload_environment_distribution(const gpu::Device& device, gpu::Commands& commands,
+                                                          const scene::Environment* environment);
+
+}  // namespace candela::realtime

@@ -1,0 +1,71 @@
+// The body of the lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all light is
+// summed in 32 bit, and the result is written pre-exposed (Frostbite 5.2). Includers say how a surface is lit:
+// light_surface(), LIGHT_FORMAT of the light buffer and kLightLimit, the largest number that fits it.
+#ifndef CANDELA_LIGHT_PIXELS_GLSL
+#define CANDELA_LIGHT_PIXELS_GLSL
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 11) const uint kShadingClass = 1u;
+layout(constant_id = 12) const bool kHasEmissive = false;
+layout(constant_id = 13) const bool kWriteAovs = false;
+
+layout(set = 0, binding = 7) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = 8) uniform usampler2D layers_image;
+layout(set = 0, binding = 9) uniform sampler2D depth_image;
+layout(set = 0, binding = 10, LIGHT_FORMAT) uniform image2D light_image;
+layout(set = 0, binding = 11, std430) readonly buffer Tiles {
+    uvec4 dispatch[kClassCount];
+    uint list[];
+} tiles;
+layout(set = 0, binding = 12, rgba32f) writeonly uniform image2D direct_diffuse_image;
+layout(set = 0, binding = 13, rgba32f) writeonly uniform image2D direct_specular_image;
+layout(set = 0, binding = 14, rgba32f) writeonly uniform image2D indirect_diffuse_image;
+layout(set = 0, binding = 15, rgba32f) writeonly uniform image2D indirect_specular_image;
+layout(set = 0, binding = 16, rgba32f) writeonly uniform image2D emissive_image;
+
+void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
+    imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));
+    imageStore(direct_specular_image, pixel, vec4(lit.direct_specular, 1.0));
+    imageStore(indirect_diffuse_image, pixel, vec4(lit.indirect_diffuse, 1.0));
+    imageStore(indirect_specular_image, pixel, vec4(lit.indirect_specular, 1.0));
+    imageStore(emissive_image, pixel, vec4(emissive_nit, 1.0));
+}
+
+void main() {
+    uint tile = tiles.list[kShadingClass * uint(frame.tiles.z) + gl_WorkGroupID.x];
+    ivec2 pixel = ivec2(tile & 0xffffu, tile >> 16u) * 8 + ivec2(gl_LocalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, frame.size.xy))) return;
+    float depth = texelFetch(depth_image, pixel, 0).r;
+
+    if (kShadingClass == kClassBackground) {
+        if (depth != 0.0) return;
+        vec3 luminance_nit = vec3(0.0);
+        if (kHasEnvironment) {
+            luminance_nit = sample_background(background_map, to_environment(pixel_ray(pixel))) *
+                            (frame.environment.z * frame.environment.w);
+        }
+        imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(kLightLimit)), 1.0));
+        if (kWriteAovs) write_aovs(pixel, kNoLight, vec3(0.0));
+        return;
+    }
+
+    uvec4 words = texelFetch(gbuffer_image, pixel, 0);
+    if (shading_class(depth, words) != kShadingClass) return;
+
+    if (kShadingClass == kClassUnlit) {
+        if (kWriteAovs) write_aovs(pixel, kNoLight, vec3(0.0));
+        return;
+    }
+
+    GBuffer g = unpack_gbuffer(words);
+    if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
+    vec3 position = kHasLights ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
+    Lit lit = light_surface(g, position, -normalize(pixel_ray(pixel)), uvec2(pixel));
+    vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
+    vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);
+    sum += emissive;
+    imageStore(light_image, pixel, vec4(min(sum, vec3(kLightLimit)), 1.0));
+    if (kWriteAovs) write_aovs(pixel, lit, emissive * frame.exposure.y);
+}
+
+#endif
