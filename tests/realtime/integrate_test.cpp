@@ -6,7 +6,7 @@
 #include "quadrature.hpp"
 #include "shading/dfg.glsl"
 #include "shading/transfer.glsl"
-#include "test_scenes.hpp"
+#include "render_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;
