@@ -18,7 +18,8 @@ function digits(value) {
   if (value === null || value === undefined) return "\u2013";
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "NaN" : value > 0 ? "\u221e" : "-\u221e";
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
+  if (size === 0) return "0";
+  if (size < 1e-3 || size >= 1e6) return value.toExponential(2);
   return size >= 1000 ? value.toFixed(0) : value.toPrecision(4);
 }
 
@@ -44,7 +45,8 @@ function fillMetrics(report) {
   head.append(row("th", ["", ...tested.map(p => p.name)]));
   for (const [key, label, help] of lines) {
     if (!tested.some(p => key in p.metrics)) continue;
-    const cells = tested.map(p => p.metrics[key] === null && key === "psnr" ? "\u221e" : digits(p.metrics[key]));
+    const text = value => key === "nonfinite" ? String(value) : digits(value);
+    const cells = tested.map(p => p.metrics[key] === null && key === "psnr" ? "\u221e" : text(p.metrics[key]));
     body.append(row("td", [label, ...cells], {title: help, "data-metric": key}));
   }
   table.append(head, body);
@@ -54,12 +56,15 @@ function fillSettings(report) {
   const keys = [];
   for (const p of report.pictures)
     for (const [key] of p.settings) if (!keys.includes(key)) keys.push(key);
+  const spaced = text => text.replaceAll(" ", "\n");  // "slot=technique slot=technique" reads as a list
   const table = document.getElementById("settings"), head = element("thead"), body = element("tbody");
   head.append(row("th", ["", ...report.pictures.map(p => p.name)]));
   for (const key of keys) {
-    const values = report.pictures.map(p => (p.settings.find(s => s[0] === key) || [key, "\u2013"])[1]);
+    const values = report.pictures.map(p => (p.settings.find(s => s[0] === key) || [key, "\u2013"])[1])
+      .map(v => key === "techniques" ? spaced(v) : v);
     const differs = values.some(v => v !== values[0]);
-    body.append(row("td", [key, ...values], differs ? {class: "differs"} : {}));
+    const cells = differs ? values : [element("td", values[0], {colspan: values.length})];
+    body.append(row("td", [key, ...cells], differs ? {class: "differs"} : {}));
   }
   table.append(head, body);
 }

@@ -195,7 +195,7 @@ async function openReport() {
     keys[key]();
   });
   window.addEventListener("keyup", event => { if (event.key === " ") change({held: false}); });
-  new ResizeObserver(() => change({})).observe(stage);
+  new ResizeObserver(draw).observe(stage);  // at once, or the old frame is stretched
 
   get("title").textContent = report.title;
   const exposed = report.luminance ? `, EV100 ${report.ev100.toFixed(2)}` : ", display values";
