@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "shading/color_temperature.glsl"
 #include "test_pictures.hpp"
 
 using namespace candela::measure;
@@ -29,6 +30,38 @@ double linear_of_lightness(double lightness) {
 
 Picture grey_of_lightness(double lightness) {
     return uniform(40, 30, glm::vec3(static_cast<float>(linear_of_lightness(lightness))));
+}
+
+double cie_f(double t) {
+    return t > 216.0 / 24389.0 ? std::cbrt(t) : t * 841.0 / 108.0 + 4.0 / 29.0;
+}
+
+struct Gaussian {
+    double a, b;
+};
+
+/// What a line of one pixel keeps of its height in the middle, under the sum of a sqrt(pi / b) exp(-pi^2 d^2
+/// / b) over d in degrees (table 1), cut at three deviations of the widest, sum 1.
+double kept_of_a_line(const std::vector<Gaussian>& filter) {
+    const double pi = std::acos(-1.0);
+    const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / 2.0) / pi * kPpd));
+    double column = 0.0, all = 0.0;
+    for (const Gaussian& g : filter) {
+        double line = 0.0;
+        for (int i = -radius; i <= radius; ++i) line += std::exp(-pi * pi * i * i / (kPpd * kPpd * g.b));
+        column += g.a * std::sqrt(pi / g.b) * line;
+        all += g.a * std::sqrt(pi / g.b) * line * line;
+    }
+    return column / all;
+}
+
+/// FLIP in the middle of a vertical line of one pixel whose XYZ (relative to white) is `line`, on `ground`.
+double flip_of_a_line(glm::vec3 ground, glm::vec3 line) {
+    const glm::vec3 white_xyz(0.950456f, 1.0f, 1.089058f);
+    const auto rgb = [&](glm::vec3 xyz) { return candela::shading::rec709_from_xyz(xyz * white_xyz); };
+    const Picture r = uniform(61, 41, rgb(ground));
+    const Picture x = draw(61, 41, [&](int i, int) { return rgb(i == 30 ? line : ground); });
+    return double(flip(x, r, kPpd).values[20 * 61 + 30]);
 }
 
 }  // namespace
@@ -68,6 +101,28 @@ TEST(Flip, AnEdgeThatAppearsRaisesTheError) {
     EXPECT_GT(at_edge, error_of(86.65) + 0.02);
     EXPECT_NEAR(map.values[20 * 80 + 79], error_of(100.0), 1e-3) << "far from the edge nothing appears";
     EXPECT_NEAR(map.values[20 * 80 + 0], 0.0, 1e-6);
+}
+
+// A faint line: the achromatic filter keeps 0.38575 of it. The edge detector sees nothing in its middle, the
+// point detector its centre weight: with a deviation of 0.041 degrees = 2.7478 pixels that is 1 / (1 + 2
+// (0.8120 + 0.3606)) = 0.2990 of its height.
+TEST(Flip, OfAFaintLineFollowsTheAchromaticFilterAndThePointDetector) {
+    const double height = 0.1, kept = kept_of_a_line({{1.0, 0.0047}});
+    EXPECT_NEAR(kept, 0.38575, 1e-4);
+    const double distance = 116.0 * (cie_f(0.5 + height * kept) - cie_f(0.5));
+    const double feature = std::sqrt(0.2990 * height / std::sqrt(2.0));
+    EXPECT_NEAR(flip_of_a_line(glm::vec3(0.5f), glm::vec3(0.6f)), std::pow(error_of(distance), 1.0 - feature),
+                1e-3);
+}
+
+// Lines that differ in X alone, or in Z alone, change a* or b* and no lightness: no feature, and the
+// chromatic filters decide. The Hunt effect multiplies by L* / 100.
+TEST(Flip, OfColouredLinesFollowsTheChromaticFilters) {
+    const double hunt = (116.0 * cie_f(0.4) - 16.0) / 100.0;
+    const double a = 500.0 * (cie_f(0.4 + 0.02 * kept_of_a_line({{1.0, 0.0053}})) - cie_f(0.4));
+    EXPECT_NEAR(flip_of_a_line(glm::vec3(0.4f), {0.42f, 0.4f, 0.4f}), error_of(hunt * a), 2e-3);
+    const double b = 200.0 * (cie_f(0.4 + 0.2 * kept_of_a_line({{34.1, 0.04}, {13.5, 0.025}})) - cie_f(0.4));
+    EXPECT_NEAR(flip_of_a_line(glm::vec3(0.4f), {0.4f, 0.4f, 0.6f}), error_of(hunt * b), 2e-3);
 }
 
 TEST(Flip, IsZeroForEqualSymmetricBoundedAndRisesWithBlur) {
