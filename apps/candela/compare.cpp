@@ -158,7 +158,7 @@ Exposed choose_exposure(const CompareOptions& options, const Lineup& lineup) {
         out.source = "--exposure";
     } else if (found != order.end()) {
         out.ev100 = shading::ev100_from_exposure(*(*found)->exposure);
-        out.source = "file";
+        out.source = "picture";
     } else {
         const auto lit = std::find_if(order.begin(), order.end(), [](const auto* p) {
             return p->meaning == measure::PixelMeaning::luminance && measure::metered_ev100(p->picture);

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <set>
+#include <sstream>
 
 #include "candela/io/image_read.hpp"
 #include "candela/io/luminance_read.hpp"
@@ -22,15 +24,34 @@ std::string text_of(float value) {
     return text;
 }
 
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// "slot=technique slot=technique" becomes one line a slot, so that two pictures can be told apart at a
+/// glance.
+void add_setting(Settings& settings, const std::string& key, const std::string& value) {
+    if (key != "techniques") {
+        settings.emplace_back(key, value);
+        return;
+    }
+    std::istringstream words(value);
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        if (equals != std::string::npos)
+            settings.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+}
+
 /// Settings without the prefix that tells our attributes from others'.
-std::vector<std::pair<std::string, std::string>> settings_of(
-    const std::string& file, const std::map<std::string, io::ExrAttribute>& attributes) {
-    std::vector<std::pair<std::string, std::string>> out{{"file", file}};
+Settings settings_of(const std::string& file, const std::map<std::string, io::ExrAttribute>& attributes) {
+    Settings out{{"file", file}};
     const std::string prefix = "candela/";
+    static const std::set<std::string> of_the_format{"pixelAspectRatio", "screenWindowWidth", "type",
+                                                     "whiteLuminance"};
     for (const auto& [name, value] : attributes) {
+        if (of_the_format.contains(name)) continue;
         const std::string key = name.starts_with(prefix) ? name.substr(prefix.size()) : name;
         const float* number = std::get_if<float>(&value);
-        out.emplace_back(key, number != nullptr ? text_of(*number) : std::get<std::string>(value));
+        add_setting(out, key, number != nullptr ? text_of(*number) : std::get<std::string>(value));
     }
     return out;
 }
@@ -83,12 +104,12 @@ NamedPicture render_realtime(const gpu::Device& device, const Job& job, const Sc
     out.exposure = still.exposure;
     out.settings = {{"mode", "realtime"},
                     {"profile", job.profile.name},
-                    {"techniques", realtime::describe(job.profile)},
                     {"samples", std::to_string(options.samples)},
                     {"seed", std::to_string(options.job.seed)},
                     {"ev100", text_of(still.ev100)},
                     {"device", device_line(device.info())},
                     {"version", version()}};
+    add_setting(out.settings, "techniques", realtime::describe(job.profile));
     return out;
 }
 

@@ -73,7 +73,7 @@ TEST_F(CompareCommand, SaysWhatIsDifferent) {
     const json out = json::parse(outcome.out);
     EXPECT_EQ(out["reference"], "reference");
     EXPECT_EQ(out["unit"], "cd/m2");
-    EXPECT_EQ(out["exposure_source"], "file");
+    EXPECT_EQ(out["exposure_source"], "picture");
     EXPECT_NEAR(out["exposure"], 0.01, 1e-6);
     const json metrics = out["pictures"][0]["metrics"];
     EXPECT_GT(metrics["rmse"], 1.0);

@@ -56,12 +56,10 @@ function fillSettings(report) {
   const keys = [];
   for (const p of report.pictures)
     for (const [key] of p.settings) if (!keys.includes(key)) keys.push(key);
-  const spaced = text => text.replaceAll(" ", "\n");  // "slot=technique slot=technique" reads as a list
   const table = document.getElementById("settings"), head = element("thead"), body = element("tbody");
   head.append(row("th", ["", ...report.pictures.map(p => p.name)]));
   for (const key of keys) {
-    const values = report.pictures.map(p => (p.settings.find(s => s[0] === key) || [key, "\u2013"])[1])
-      .map(v => key === "techniques" ? spaced(v) : v);
+    const values = report.pictures.map(p => (p.settings.find(s => s[0] === key) || [key, "\u2013"])[1]);
     const differs = values.some(v => v !== values[0]);
     const cells = differs ? values : [element("td", values[0], {colspan: values.length})];
     body.append(row("td", [key, ...cells], differs ? {class: "differs"} : {}));
