@@ -6,7 +6,7 @@ async function openReport() {
   const packed = JSON.parse(get("pixels").textContent);
   report.colorMapBytes = bytesFromBase64(report.colorMap);
   if (typeof DecompressionStream === "undefined")
-    throw new Error("This browser lacks DecompressionStream: Chromium 80, Firefox 113 or Safari 16.4 have it.");
+    throw new Error("This browser lacks DecompressionStream: Chromium 86 and Firefox 113 have it.");
   const pictures = await Promise.all(report.pictures.map(async (p, i) => ({
     name: p.name,
     halves: await unpackHalves(packed[i].pixels, report.width, report.height),
