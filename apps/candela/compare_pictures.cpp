@@ -1,0 +1,151 @@
+#include "compare_pictures.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "candela/io/image_read.hpp"
+#include "candela/io/luminance_read.hpp"
+#include "candela/realtime/renderer.hpp"
+#include "candela/scene/error.hpp"
+#include "candela/version.hpp"
+
+namespace candela::app {
+namespace {
+
+constexpr std::size_t max_picture_bytes = std::size_t{1} << 30;
+
+std::string text_of(float value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", static_cast<double>(value));
+    return text;
+}
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// "slot=technique slot=technique" becomes one line a slot, so that two pictures can be told apart at a
+/// glance.
+void add_setting(Settings& settings, const std::string& key, const std::string& value) {
+    if (key != "techniques") {
+        settings.emplace_back(key, value);
+        return;
+    }
+    std::istringstream words(value);
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        if (equals != std::string::npos)
+            settings.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+}
+
+/// Settings without the prefix that tells our attributes from others'.
+Settings settings_of(const std::string& file, const std::map<std::string, io::ExrAttribute>& attributes) {
+    Settings out{{"file", file}};
+    const std::string prefix = "candela/";
+    static const std::set<std::string> of_the_format{"pixelAspectRatio", "screenWindowWidth", "type",
+                                                     "whiteLuminance"};
+    for (const auto& [name, value] : attributes) {
+        if (of_the_format.contains(name)) continue;
+        const std::string key = name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+        const float* number = std::get_if<float>(&value);
+        add_setting(out, key, number != nullptr ? text_of(*number) : std::get<std::string>(value));
+    }
+    return out;
+}
+
+NamedPicture load_luminance(const std::string& file, Diagnostics& diagnostics) {
+    io::LuminanceImage image = io::read_luminance(file, diagnostics);
+    NamedPicture out;
+    out.name = std::filesystem::path(file).stem().string();
+    out.picture = {image.width, image.height, std::move(image.luminance_nit)};
+    out.settings = settings_of(file, image.attributes);
+    if (const auto found = image.attributes.find("candela/exposure"); found != image.attributes.end()) {
+        const float* exposure = std::get_if<float>(&found->second);
+        if (exposure != nullptr && *exposure > 0.0f && std::isfinite(*exposure)) out.exposure = *exposure;
+    }
+    return out;
+}
+
+NamedPicture load_display(const std::string& file, Diagnostics& diagnostics) {
+    const scene::Image image = io::decode_image(io::read_file(file, max_picture_bytes), file);
+    NamedPicture out;
+    out.name = std::filesystem::path(file).stem().string();
+    out.meaning = measure::PixelMeaning::display;
+    out.settings = settings_of(file, {});
+    out.picture = {image.width, image.height,
+                   std::vector<glm::vec3>(std::size_t{image.width} * image.height)};
+    bool transparent = false;
+    for (std::size_t i = 0; i < out.picture.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c)
+            out.picture.pixels[i][int(c)] = static_cast<float>(image.rgba[4 * i + c]) / 255.0f;
+        transparent = transparent || image.rgba[4 * i + 3] != 255;
+    }
+    if (transparent) diagnostics.warn(file + ": its alpha is left out; colours are compared as stored");
+    return out;
+}
+
+NamedPicture render_realtime(const gpu::Device& device, const Job& job, const SceneOptions& options) {
+    realtime::RendererOptions renderer_options;
+    renderer_options.width = job.width;
+    renderer_options.height = job.height;
+    renderer_options.samples = options.samples;
+    renderer_options.seed = options.job.seed;
+    renderer_options.profile = job.profile;
+    renderer_options.tone_curve = job.tone_curve;
+    realtime::Renderer renderer(device, job.scene, renderer_options);
+    const realtime::Still still = renderer.render_still(job.camera, job.exposure);
+    NamedPicture out;
+    out.name = job.profile.name;
+    out.picture = {still.width, still.height, {}};
+    for (const glm::vec4& nit : still.planes.light_nit) out.picture.pixels.emplace_back(nit);
+    out.exposure = still.exposure;
+    out.settings = {{"mode", "realtime"},
+                    {"profile", job.profile.name},
+                    {"samples", std::to_string(options.samples)},
+                    {"seed", std::to_string(options.job.seed)},
+                    {"ev100", text_of(still.ev100)},
+                    {"device", device_line(device.info())},
+                    {"version", version()}};
+    add_setting(out.settings, "techniques", realtime::describe(job.profile));
+    return out;
+}
+
+/// One way to make a picture of the scene. Other modes than real time add themselves to scene_sources().
+struct SceneSource {
+    std::string name;
+    std::function<NamedPicture(const gpu::Device&)> render;
+};
+
+std::vector<SceneSource> scene_sources(const SceneOptions& options, Diagnostics& diagnostics) {
+    std::vector<SceneSource> out;
+    for (const std::string& profile : options.profiles) {
+        JobOptions job_options = options.job;
+        job_options.profile = profile;
+        const auto job = std::make_shared<Job>(prepare(job_options));
+        if (out.empty()) diagnostics = job->diagnostics;
+        out.push_back({profile, [job, options](const gpu::Device& device) {
+                           return render_realtime(device, *job, options);
+                       }});
+    }
+    return out;
+}
+
+}  // namespace
+
+NamedPicture load_picture(const std::string& file, Diagnostics& diagnostics) {
+    return io::is_luminance_file(file) ? load_luminance(file, diagnostics) : load_display(file, diagnostics);
+}
+
+std::vector<NamedPicture> render_pictures(const SceneOptions& options, Diagnostics& diagnostics) {
+    const std::vector<SceneSource> sources = scene_sources(options, diagnostics);
+    const gpu::Device device(device_options(options.job));
+    std::fprintf(stderr, "candela: device: %s\n", device_line(device.info()).c_str());
+    std::vector<NamedPicture> out;
+    for (const SceneSource& source : sources) out.push_back(source.render(device));
+    return out;
+}
+
+}  // namespace candela::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "candela/measure/comparison.hpp"
+#include "job.hpp"
+
+namespace candela::app {
+
+/// A picture that `compare` was given or rendered, with what is known about it.
+struct NamedPicture {
+    std::string name;
+    measure::Picture picture;
+    measure::PixelMeaning meaning = measure::PixelMeaning::luminance;
+    std::optional<float> exposure;                              ///< 1 / (cd/m^2), where the file says so
+    std::vector<std::pair<std::string, std::string>> settings;  ///< for people
+};
+
+/// EXR and HDR as luminance, PNG (and JPEG, WebP) as display values. Throws Error.
+[[nodiscard]] NamedPicture load_picture(const std::string& file, Diagnostics& diagnostics);
+
+/// What a scene is rendered with, once for each profile.
+struct SceneOptions {
+    JobOptions job;
+    std::vector<std::string> profiles;
+    std::uint32_t samples = 4;
+};
+
+/// The pictures of a scene, the reference first. Throws Error.
+[[nodiscard]] std::vector<NamedPicture> render_pictures(const SceneOptions& options,
+                                                        Diagnostics& diagnostics);
+
+}  // namespace candela::app
