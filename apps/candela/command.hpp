@@ -12,5 +12,6 @@ using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
+void add_validate(CLI::App& app, Action& action);
 
 }  // namespace candela::app
