@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/measure/validation.hpp"
+#include "candela/version.hpp"
 #include "command.hpp"
 
 namespace candela::app {
@@ -44,7 +45,7 @@ int validate(const ValidateOptions& options) {
     if (options.list) return list(experiments, options.json);
     const measure::ValidationOutcome outcome = measure::validate(experiments, options.validation);
     if (options.json) {
-        std::printf("%s\n", measure::results_json(outcome.results).dump(2).c_str());
+        std::printf("%s\n", measure::results_json(outcome.results, version()).dump(2).c_str());
     } else {
         std::fputs(measure::results_text(outcome.results).c_str(), stdout);
     }
@@ -55,6 +56,7 @@ int validate(const ValidateOptions& options) {
 
 void add_validate(CLI::App& app, Action& action) {
     auto options = std::make_shared<ValidateOptions>();
+    options->validation.version = version();
     CLI::App* command = app.add_subcommand(
         "validate", "Reproduce the papers' figures and tables; exit 1 when a bound is missed");
     command->add_option("-o,--output", options->validation.folder, "Folder for index.html and results.json");

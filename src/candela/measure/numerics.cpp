@@ -29,8 +29,14 @@ std::string number(double value, int digits) {
     return printed("%.*g", digits, value);
 }
 
+std::string readable(double value) {
+    return number(value, std::abs(value) >= 1000.0 ? 6 : 4);
+}
+
 std::string fixed(double value, int decimals) {
-    return printed("%.*f", decimals, value);
+    const std::string text = printed("%.*f", decimals, value);
+    const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+    return zero && text[0] == '-' ? text.substr(1) : text;
 }
 
 }  // namespace candela::measure

@@ -24,7 +24,9 @@ constexpr double kPi = 3.14159265358979323846;
 
 /// Shortest text with this many significant digits.
 [[nodiscard]] std::string number(double value, int digits = 4);
-/// With this many digits after the point.
+/// A measured value: 4 significant digits, 6 from 1000 on, so that large ones show no power of ten.
+[[nodiscard]] std::string readable(double value);
+/// With this many digits after the point; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
 /// The curve y = f(x).

@@ -14,8 +14,8 @@ using namespace shading;
 
 constexpr std::array<float, 5> kRoughness{0.1f, 0.3f, 0.5f, 0.7f, 0.9f};
 constexpr uint kReferenceSamples = 2048;
-constexpr uint kFilterSamples = 512;
-constexpr int kDiameter = 64;
+constexpr uint kFilterSamples = 2048;
+constexpr int kDiameter = 56;
 
 /// A soft-edged patch of light: 1 within `inner` of its axis, 0 beyond `outer` (cosines).
 float patch(const vec3& direction, const vec3& axis, float outer, float inner) {
@@ -194,7 +194,7 @@ Findings split_sum_figure(const SplitSumMaterial& material) {
         };
     };
     out.techniques = {
-        {"split sum, " + material.name + " (512 samples a direction)", "Karis 2013, equation 7",
+        {"split sum, " + material.name + " (2048 samples a direction)", "Karis 2013, equation 7",
          "light times BRDF, integrated", truth, "%", 100.0 * split_mean, worst_split, cost(false)},
         {"split sum with n = v, " + material.name + " (cost: filtering one direction)",
          "Karis 2013, Pre-Filtered Environment Map", "light times BRDF, integrated", truth, "%",

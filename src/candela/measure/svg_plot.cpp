@@ -20,7 +20,7 @@ constexpr double kTop = 12.0;
 constexpr double kHeight = 300.0;  ///< of the frame that holds the curves
 constexpr double kBelow = 52.0;    ///< tick and axis labels
 constexpr double kLegendLine = 20.0;
-constexpr double kCharacter = 6.7;  ///< mean advance of the 12 px font, on the wide side
+constexpr double kCharacter = 7.0;  ///< mean advance of the 12 px font, on the wide side
 
 double forward(double value, Scale scale) {
     return scale == Scale::logarithmic ? std::log10(value) : value;
@@ -117,7 +117,6 @@ std::string marker(double x, double y, const char* color) {
 
 std::string curve_of(const Series& series, const char* color, const Mapping& x, const Mapping& y,
                      double width) {
-    std::string markers;
     std::string path;
     bool drawing = false;
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
@@ -129,15 +128,25 @@ std::string curve_of(const Series& series, const char* color, const Mapping& x, 
         }
         // Far outside the frame is enough: huge coordinates are no valid SVG numbers in some viewers.
         const double safe_y = std::clamp(at_y, -10.0 * kHeight, 10.0 * kHeight);
-        if (series.stroke == Stroke::points) {
-            markers += marker(at_x, safe_y, color);
-        } else {
-            path += (drawing ? "L" : "M") + px(at_x) + " " + px(safe_y);
-        }
+        path += (drawing ? "L" : "M") + px(at_x) + " " + px(safe_y);
         drawing = true;
     }
-    if (!markers.empty()) return markers;
     return path.empty() ? "" : "<path d=\"" + path + "\" " + stroke_attributes(series, color) + "/>";
+}
+
+/// Markers are not cut at the frame; those outside of it are left out.
+std::string markers_of(const Series& series, const char* color, const Mapping& x, const Mapping& y,
+                       double width) {
+    constexpr double slack = 1e-9;
+    const auto inside = [](double at) { return at >= -slack && at <= 1.0 + slack; };
+    std::string out;
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+        const double at_x = x(series.x[i]);
+        const double at_y = y(series.y[i]);
+        if (inside(at_x) && inside(at_y))
+            out += marker(kLeft + at_x * width, kTop + (1.0 - at_y) * kHeight, color);
+    }
+    return out;
 }
 
 struct Legend {
@@ -245,10 +254,16 @@ std::string svg_plot(const Plot& plot) {
     // A nested <svg> cuts the curves at the frame without an id that a second plot on the page could share.
     body += "<svg x=\"" + px(kLeft) + "\" y=\"" + px(kTop) + "\" width=\"" + px(width) + "\" height=\"" +
             px(kHeight) + "\" overflow=\"hidden\">";
-    for (std::size_t i = 0; i < plot.series.size(); ++i)
-        body += curve_of(plot.series[i], colors[i], x, y, width);
+    std::string markers;
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+        if (plot.series[i].stroke == Stroke::points) {
+            markers += markers_of(plot.series[i], colors[i], x, y, width);
+        } else {
+            body += curve_of(plot.series[i], colors[i], x, y, width);
+        }
+    }
     body += "</svg><rect x=\"" + px(kLeft) + "\" y=\"" + px(kTop) + "\" width=\"" + px(width) +
-            "\" height=\"" + px(kHeight) + "\" fill=\"none\" stroke=\"#555\"/>";
+            "\" height=\"" + px(kHeight) + "\" fill=\"none\" stroke=\"#555\"/>" + markers;
     body += text(kLeft + 0.5 * width, bottom + 38.0, "middle", plot.x.label);
     const double middle = kTop + 0.5 * kHeight;
     body += "<text transform=\"translate(16 " + px(middle) + ") rotate(-90)\" text-anchor=\"middle\">" +

@@ -86,8 +86,9 @@ ValidationOutcome validate(std::span<const Experiment> experiments, const Valida
     if (!options.folder.empty()) make_folder(options.folder);
     ValidationOutcome out{run_experiments(experiments, options.threads), 0};
     if (!options.folder.empty()) {
-        write_text(options.folder / "results.json", results_json(out.results).dump(2) + "\n");
-        write_text(options.folder / "index.html", results_page(out.results));
+        write_text(options.folder / "results.json",
+                   results_json(out.results, options.version).dump(2) + "\n");
+        write_text(options.folder / "index.html", results_page(out.results, options.version));
     }
     if (!options.techniques_file.empty())
         write_text(options.techniques_file, techniques_markdown(out.results));

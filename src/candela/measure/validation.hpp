@@ -35,10 +35,11 @@ struct ExperimentResult {
 
 /// results.json: {"version", "pass", "experiments": [...], "techniques": [...]}; docs/validation.md has its
 /// schema. Numbers that are not finite become null.
-[[nodiscard]] nlohmann::json results_json(std::span<const ExperimentResult> results);
+[[nodiscard]] nlohmann::json results_json(std::span<const ExperimentResult> results,
+                                          const std::string& version);
 
 /// index.html: one file without external references.
-[[nodiscard]] std::string results_page(std::span<const ExperimentResult> results);
+[[nodiscard]] std::string results_page(std::span<const ExperimentResult> results, const std::string& version);
 
 /// docs/techniques.md.
 [[nodiscard]] std::string techniques_markdown(std::span<const ExperimentResult> results);
@@ -53,6 +54,7 @@ struct ValidationOptions {
     std::filesystem::path folder;  ///< receives index.html and results.json, made if missing; empty: nothing
     std::filesystem::path techniques_file;  ///< empty: nothing
     unsigned threads = 2;
+    std::string version;  ///< of Candela, for the files
 };
 
 struct ValidationOutcome {

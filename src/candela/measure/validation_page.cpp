@@ -4,7 +4,6 @@
 #include "candela/measure/numerics.hpp"
 #include "candela/measure/svg_plot.hpp"
 #include "candela/measure/validation.hpp"
-#include "candela/version.hpp"
 
 namespace candela::measure {
 namespace {
@@ -27,6 +26,9 @@ table{border-collapse:collapse;font-size:14px;margin:8px 0 4px;width:100%}
 th,td{text-align:left;padding:5px 10px;border-bottom:1px solid var(--rule);vertical-align:top}
 th{font-weight:600;color:var(--soft)}
 .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+th.number{white-space:normal}
+#techniques table{font-size:13px}#techniques td{white-space:normal;overflow-wrap:anywhere}
+#techniques td:first-child{width:30%}#techniques td:nth-child(3){width:24%}
 .wide{overflow-x:auto}
 figure{margin:20px 0}figcaption{font-size:14px;margin-bottom:6px}
 figcaption b{display:block}
@@ -43,8 +45,8 @@ std::string badge(bool pass) {
     return pass ? "<span class=\"badge\">pass</span>" : "<span class=\"badge fail\">fail</span>";
 }
 
-std::string with_unit(double value, const std::string& unit, int digits = 4) {
-    return number(value, digits) + (unit.empty() ? "" : " " + unit);
+std::string with_unit(const std::string& value, const std::string& unit) {
+    return value + (unit.empty() ? "" : " " + unit);
 }
 
 /// The papers, each once, in the order of the experiments.
@@ -79,7 +81,7 @@ std::string measured_table(const std::vector<Measured>& measured) {
         "<th class=\"number\">bound</th><th></th></tr>";
     for (const Measured& m : measured) {
         out += "<tr><td>" + xml_escaped(m.name) + "</td><td class=\"number\">" +
-               xml_escaped(with_unit(m.value, m.unit)) + "</td><td class=\"number\">" +
+               xml_escaped(with_unit(readable(m.value), m.unit)) + "</td><td class=\"number\">" +
                xml_escaped(bound_text(m)) + "</td><td>" + badge(m.pass()) + "</td></tr>";
     }
     return out + "</table></div>";
@@ -146,9 +148,9 @@ std::string techniques_html(std::span<const ExperimentResult> results) {
                    xml_escaped(t.technique.source) + "</span></td><td>" +
                    xml_escaped(t.technique.approximates) + "</td><td>" + xml_escaped(t.technique.truth) +
                    "</td><td class=\"number\">" +
-                   xml_escaped(with_unit(t.technique.mean_error, t.technique.unit, 3)) +
+                   xml_escaped(with_unit(number(t.technique.mean_error, 3), t.technique.unit)) +
                    "</td><td class=\"number\">" +
-                   xml_escaped(with_unit(t.technique.max_error, t.technique.unit, 3)) +
+                   xml_escaped(with_unit(number(t.technique.max_error, 3), t.technique.unit)) +
                    "</td><td class=\"number\">" + number(t.cost_ns, 3) + "</td></tr>";
         }
     }
@@ -157,7 +159,7 @@ std::string techniques_html(std::span<const ExperimentResult> results) {
 
 }  // namespace
 
-std::string results_page(std::span<const ExperimentResult> results) {
+std::string results_page(std::span<const ExperimentResult> results, const std::string& version) {
     std::size_t passed = 0;
     std::size_t numbers = 0;
     std::size_t missed = 0;
@@ -175,7 +177,7 @@ std::string results_page(std::span<const ExperimentResult> results) {
         "</style></head><body><header><h1>Candela: validation</h1><p>The figures and tables of the papers "
         "that Candela is "
         "built on, computed from its own shading functions by <code>candela validate</code>, version " +
-        std::string(version()) + ".</p><p>" + badge(passed == results.size()) + " <b>" +
+        xml_escaped(version) + ".</p><p>" + badge(passed == results.size()) + " <b>" +
         std::to_string(passed) + " of " + std::to_string(results.size()) +
         "</b> experiments within their bounds; " + std::to_string(numbers) + " measured numbers, " +
         std::to_string(missed) + " out of bounds.</p></header><main>" + contents(results);

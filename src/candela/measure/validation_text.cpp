@@ -3,7 +3,6 @@
 
 #include "candela/measure/numerics.hpp"
 #include "candela/measure/validation.hpp"
-#include "candela/version.hpp"
 
 namespace candela::measure {
 namespace {
@@ -58,13 +57,13 @@ json experiment_json(const ExperimentResult& result) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-    return number(value) + (unit.empty() ? "" : " " + unit);
+    return readable(value) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace
 
-json results_json(std::span<const ExperimentResult> results) {
-    json out{{"version", version()},
+json results_json(std::span<const ExperimentResult> results, const std::string& version) {
+    json out{{"version", version},
              {"pass", all_pass(results)},
              {"experiments", json::array()},
              {"techniques", json::array()}};

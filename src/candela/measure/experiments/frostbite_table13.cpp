@@ -18,8 +18,8 @@ constexpr std::array<Rule, 6> kRules{Rule{22.0, "snow and sand"},     Rule{16.0,
 Findings run() {
     ErrorStatistics from_stop;
     Table table{"ISO 100, 1/125 s",
-                {"aperture", "conditions", "EV100", "metered luminance, cd/m^2", "metered illuminance, lx",
-                 "luminance that saturates, cd/m^2"},
+                {"aperture", "conditions", "EV100", "spot meter, cd/m^2", "incident meter, lx",
+                 "saturates at, cd/m^2"},
                 {}};
     Series ev{"EV100", {}, {}, Stroke::points};
     double last = 0.0;

@@ -29,13 +29,12 @@ Plot curves() {
         const float a = float(alpha);
         const std::string name = "alpha " + number(alpha);
         plot.series.push_back(curve(
-            name + ", Smith", x, [&](double c) { return G1_SmithGGX(float(c), a); }, Stroke::solid, color));
+            name, x, [&](double c) { return G1_SmithGGX(float(c), a); }, Stroke::solid, color));
         plot.series.push_back(curve(
-            "Schlick", x, [&](double c) { return G1_Schlick(float(c), k_image_based(a)); }, Stroke::dashed,
+            "", x, [&](double c) { return G1_Schlick(float(c), k_image_based(a)); }, Stroke::dashed, color));
+        plot.series.push_back(curve(
+            "", x, [&](double c) { return G1_Schlick(float(c), k_analytic(std::sqrt(a))); }, Stroke::dotted,
             color));
-        plot.series.push_back(curve(
-            "remapped", x, [&](double c) { return G1_Schlick(float(c), k_analytic(std::sqrt(a))); },
-            Stroke::dotted, color));
         ++color;
     }
     return plot;

@@ -12,7 +12,7 @@ Experiment karis2013_figure4() {
             return split_sum_figure({glm::vec3(0.95f, 0.93f, 0.88f),
                                      1.0f,
                                      "metal",
-                                     {.split_mean = 0.09, .isotropic_mean = 0.14}});
+                                     {.split_mean = 0.08, .isotropic_mean = 0.14}});
         }};
 }
 

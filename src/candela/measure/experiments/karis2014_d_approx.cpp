@@ -43,7 +43,7 @@ Plot lobes() {
     Plot plot{"Lobe over the angle to the mirror direction, each times alpha^2",
               "Solid: the lobe that prefilters environments. Dashed: D_Approx / (4 pi).",
               {"angle, degrees", 0.0, 90.0, Scale::linear, 15.0},
-              {"alpha^2 x density, 1/sr", 1e-5, 0.2, Scale::logarithmic},
+              {"alpha^2 x density, 1/sr", 1e-5, 0.5, Scale::logarithmic},
               {}};
     int color = 0;
     for (const double roughness : {0.3, 0.5, 0.7, 1.0}) {

@@ -21,7 +21,8 @@ Findings run() {
     const double zero = -double(ab.y) / double(ab.x);
     const glm::dvec4 truth = dfg_truth(1.0f, 1.0f, 1000000);
     Findings out;
-    out.text = "The constants are as printed: " + number(double(ab.x), 5) + " F0 " + number(double(ab.y), 2) +
+    out.text = "The constants are as printed: " + number(double(ab.x), 5) + " F0 - " +
+               number(-double(ab.y), 2) +
                ". At roughness 1 the approximation does not depend on the angle at all, and it is negative "
                "for F0 below " +
                number(zero, 2) + ". The integral itself is " + number(truth.z, 4) + " F0 + " +
