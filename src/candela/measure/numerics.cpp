@@ -33,6 +33,12 @@ std::string readable(double value) {
     return number(value, std::abs(value) >= 1000.0 ? 6 : 4);
 }
 
+std::string cost_text(double ns) {
+    if (ns < 1000.0 || !std::isfinite(ns)) return number(ns, 3);
+    const double unit = std::pow(10.0, std::floor(std::log10(ns)) - 2.0);
+    return fixed(unit * std::round(ns / unit), 0);
+}
+
 std::string fixed(double value, int decimals) {
     const std::string text = printed("%.*f", decimals, value);
     const bool zero = text.find_first_not_of("-0.") == std::string::npos;

@@ -26,6 +26,8 @@ constexpr double kPi = 3.14159265358979323846;
 [[nodiscard]] std::string number(double value, int digits = 4);
 /// A measured value: 4 significant digits, 6 from 1000 on, so that large ones show no power of ten.
 [[nodiscard]] std::string readable(double value);
+/// A cost: 3 significant digits without a power of ten.
+[[nodiscard]] std::string cost_text(double ns);
 /// With this many digits after the point; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 

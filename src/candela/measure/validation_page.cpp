@@ -151,7 +151,7 @@ std::string techniques_html(std::span<const ExperimentResult> results) {
                    xml_escaped(with_unit(number(t.technique.mean_error, 3), t.technique.unit)) +
                    "</td><td class=\"number\">" +
                    xml_escaped(with_unit(number(t.technique.max_error, 3), t.technique.unit)) +
-                   "</td><td class=\"number\">" + number(t.cost_ns, 3) + "</td></tr>";
+                   "</td><td class=\"number\">" + cost_text(t.cost_ns) + "</td></tr>";
         }
     }
     return out + "</table></div></section>";

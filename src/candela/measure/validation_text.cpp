@@ -125,7 +125,7 @@ std::string techniques_markdown(std::span<const ExperimentResult> results) {
         for (const TechniqueCost& t : r.techniques) {
             out += "| " + t.technique.name + " | " + t.technique.source + " | " + t.technique.approximates +
                    " | " + t.technique.truth + " | " + with_unit(t.technique.mean_error, t.technique.unit) +
-                   " | " + with_unit(t.technique.max_error, t.technique.unit) + " | " + number(t.cost_ns, 3) +
+                   " | " + with_unit(t.technique.max_error, t.technique.unit) + " | " + cost_text(t.cost_ns) +
                    " | " + r.experiment.id + " |\n";
         }
     }
