@@ -45,7 +45,8 @@ Findings run() {
                " lx. With the paper's own daylight of Table 11 (" + number(level_lx, 6) +
                " lx on level ground at 1 pm) a grey card of 18 % comes out at " + fixed(grey_level, 3) +
                " of saturation and white paper at " + fixed(white_level, 3) +
-               ": nothing clips, and grey is near the middle of the curve. A spot meter on the card would "
+               ": nothing of that clips (white facing the sun at 1/100 s would), and grey is near the middle "
+               "of the curve. A spot meter on the card would "
                "differ from the rule by " +
                fixed(metered_off, 2) + " stops.";
     out.measured = {

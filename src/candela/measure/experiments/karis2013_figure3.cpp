@@ -44,6 +44,8 @@ Findings run() {
     const DfgLookup ue4(DfgKind::ue4_schlick_smith);
     Errors correlated_errors;
     Errors ue4_errors;
+    float lowest = 1.0f;
+    float highest = 0.0f;
     Plot scale{"Scale of F0",
                "Lines: the table as the frame reads it, Karis's model. Circles: 10^6 samples.",
                {"n.v", 0.0, 1.0},
@@ -60,6 +62,8 @@ Findings run() {
         for (const float NoV : {0.03f, 0.08f, 0.15f, 0.25f, 0.4f, 0.55f, 0.75f, 1.0f}) {
             const glm::dvec4 truth = dfg_truth(NoV, roughness, kTruthSamples);
             const vec2 read = ue4.read(NoV, roughness);
+            lowest = std::min({lowest, read.x, read.y});
+            highest = std::max({highest, read.x, read.y});
             add(correlated_errors, integrate_ggx_albedo(NoV, roughness, kDfgSamples),
                 correlated.read(NoV, roughness), {truth.x, truth.y});
             add(ue4_errors, integrate_ggx_albedo_ue4(NoV, roughness, kDfgSamples), read, {truth.z, truth.w});
@@ -95,6 +99,9 @@ Findings run() {
                number(ue4_errors.read.max(), 2) + " and " + number(correlated_errors.read.max(), 2) +
                ". Both outputs stay within [0, 1], as the paper says.";
     out.measured = {
+        at_least("Karis's model: scale and bias, lowest", double(lowest), 0.0),
+        at_most("Karis's model: scale and bias, highest", double(highest), 1.0),
+
         at_most("Karis's model: quadrature, largest error", ue4_errors.quadrature.max(), 2e-3),
         at_most("Karis's model: table as read, mean error", ue4_errors.read.mean(), 5e-4),
         at_most("Karis's model: table as read, largest error", ue4_errors.read.max(), 2e-3),
