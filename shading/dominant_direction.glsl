@@ -13,6 +13,19 @@ FN vec3 specular_dominant_direction(vec3 n, vec3 mirror, float alpha) {
     return mix(n, mirror, smoothness * (sqrt(smoothness) + alpha));
 }
 
+// Closer to where the lobe of height-correlated Smith really peaks, but worse in the split sum, its authors say. Lagarde &
+// de Rousiers 2014, section 4.9.3, listing 21. `alpha` in [0,1]; not normalised.
+FN vec3 specular_dominant_direction_fit(vec3 n, vec3 mirror, float NoV, float alpha) {
+    float base = 0.298475f * log(39.4115f - 39.0029f * alpha);
+    float toward_mirror = pow(1.0f - NoV, 10.8649f) * (1.0f - base) + base;
+    return mix(n, mirror, toward_mirror);
+}
+
+// The version for area lights. Lagarde & de Rousiers 2014, section 4.7.3, listing 16. `alpha` in [0,1]; unit length.
+FN vec3 specular_dominant_direction_area(vec3 n, vec3 mirror, float alpha) {
+    return normalize(mix(n, mirror, 1.0f - alpha));
+}
+
 CANDELA_SHADING_END
 
 #endif

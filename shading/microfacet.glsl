@@ -60,6 +60,11 @@ FN float V_SmithGGXUncorrelated(float NoV, float NoL, float alpha) {
     return 1.0f / max((NoV + smith_ggx_root(NoV, alpha)) * (NoL + smith_ggx_root(NoL, alpha)), 1.0e-12f);
 }
 
+// Schlick's rational masking of one direction, in [0,1]: Karis 2013, equation 4.
+FN float G1_Schlick(float cosine, float k) {
+    return cosine / max(cosine * (1.0f - k) + k, 1.0e-12f);
+}
+
 // Schlick's rational G1 = c / (c (1 - k) + k), twice: Karis 2013, equation 4.
 FN float V_SchlickSmith(float NoV, float NoL, float k) {
     return 0.25f / max((NoV * (1.0f - k) + k) * (NoL * (1.0f - k) + k), 1.0e-12f);

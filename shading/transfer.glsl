@@ -49,6 +49,14 @@ FN vec3 linear_from_rec709_oetf(vec3 encoded) {
                 linear_from_rec709_oetf(encoded.z));
 }
 
+// The short cut that Frostbite section 5.1.5 warns of, listing 30: a power in place of sRGB. Only to be measured.
+FN float gamma22_from_linear(float linear_value) {
+    return pow(linear_value, 1.0f / 2.2f);
+}
+FN float linear_from_gamma22(float encoded) {
+    return pow(encoded, 2.2f);
+}
+
 CANDELA_SHADING_END
 
 #endif

@@ -7,10 +7,15 @@
 #include "../../shading/dfg.glsl"
 #include "../../shading/dominant_direction.glsl"
 #include "../../shading/footprint.glsl"
+#include "../../shading/gaussian_specular.glsl"
+#include "../../shading/lights/representative_point.glsl"
 #include "../../shading/occlusion.glsl"
 #include "../../shading/octahedral.glsl"
+#include "../../shading/remapping.glsl"
 #include "../../shading/sampling.glsl"
 #include "../../shading/sequence.glsl"
+#include "../../shading/spherical_gaussian_lobe.glsl"
+#include "../../shading/teaching_page.glsl"
 #include "agreement_case.glsl"
 
 CANDELA_SHADING_BEGIN
@@ -151,6 +156,35 @@ FN vec4 case_dfg_approx(NUMBERS) {
     return vec4(c.x, c.y, c.z, dfg_approx(u[1], between(0.2f, 1.0f, u[0])).z);
 }
 
+FN vec4 case_gaussian_specular(NUMBERS) {
+    float power = between(1.0f, 512.0f, u[0]);
+    // The edge's cosine is 1 - 3/power, which single precision knows to 1e-7: small powers only.
+    float small_power = between(1.0f, 8.0f, u[0]);
+    return vec4(gaussian_specular(with_edges(u[1]), small_power), gaussian_specular_normalization_line(power),
+                gaussian_specular_normalization_hyperbola(power), G1_Schlick(u[2], between(0.1f, 0.5f, u[3])));
+}
+FN vec4 case_directional_lobe(NUMBERS) {
+    float alpha = between(0.5f, 1.0f, u[0]);
+    return vec4(D_Approx(alpha, with_edges(u[1])), D_Approx(alpha, -u[2]), alpha_from_smoothness(u[3]),
+                alpha_from_smoothness_ryse(u[4]) + alpha_from_smoothness_fourth(u[4]));
+}
+FN vec4 case_dominant_direction(NUMBERS) {
+    vec3 n = vec3(0.0f, 0.0f, 1.0f);
+    vec3 mirror = case_direction(u[0], u[1]);
+    vec3 fit = specular_dominant_direction_fit(n, mirror, mirror.z, 0.95f * u[2]);
+    vec3 area = specular_dominant_direction_area(n, mirror, u[2]);
+    return vec4(fit.x, fit.z, area.x, area.z);
+}
+FN vec4 case_representative_point(NUMBERS) {
+    vec3 mirror = case_direction(u[0], u[1]);
+    vec3 v = case_direction(u[2], u[3]);
+    vec3 l = case_direction(u[4], u[5]);
+    vec3 point = representative_point_sphere(3.0f * l, mirror, u[6]);
+    vec3 page = representative_direction_TeachingPage(l, v, mirror, 0.5f * u[7]);
+    return vec4(point.x + page.x, point.z + page.z, G1_TeachingPage(v.z, l.z, between(0.1f, 0.5f, u[8])),
+                representative_point_sphere_normalization(between(0.1f, 1.0f, u[9]), u[6], 2.0f));
+}
+
 FN Surface case_surface(NUMBERS) {
     Surface s;
     s.base_color = vec3(u[0], u[1], u[2]);
@@ -231,6 +265,10 @@ CANDELA_SHADING_END
     X(case_dfg_ue4, 1e-5f)          \
     X(case_dfg_coordinates, 1e-5f)  \
     X(case_dfg_approx, 1e-5f)       \
+    X(case_gaussian_specular, 1e-5f) \
+    X(case_directional_lobe, 1e-5f) \
+    X(case_dominant_direction, 1e-5f) \
+    X(case_representative_point, 1e-5f) \
     X(case_standard, 1e-5f)         \
     X(case_standard_vectors, 1e-5f) \
     X(case_layered, 1e-5f)          \

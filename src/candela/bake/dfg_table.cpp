@@ -3,11 +3,6 @@
 #include "shading/dfg.glsl"
 
 namespace candela::bake {
-namespace {
-/// The quadrature of shading/dfg.glsl is within 1e-3 everywhere with this many (tests/bake).
-constexpr std::uint32_t kSamples = 256;
-}  // namespace
-
 gpu::Image create_dfg_table(const gpu::Device& device, gpu::Commands& commands, DfgModel model) {
     constexpr auto size = static_cast<std::uint32_t>(shading::kDfgSize);
     gpu::Image table(device, {size, size, VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -19,7 +14,7 @@ gpu::Image create_dfg_table(const gpu::Device& device, gpu::Commands& commands, 
     commands.begin_pass("dfg");
     commands.use(table, gpu::Use::storage_write);
     const std::array bindings{gpu::bind_storage(table.view())};
-    commands.dispatch(pipeline, bindings, gpu::push(kSamples), size / 8, size / 8);
+    commands.dispatch(pipeline, bindings, gpu::push(shading::kDfgSamples), size / 8, size / 8);
     commands.use(table, gpu::Use::sampled);
     commands.submit_and_wait();
     return table;
