@@ -80,8 +80,8 @@ void check_request(const CompareOptions& options) {
         throw Error(Fault::usage, "one picture has nothing to be compared with", options.inputs[0],
                     "candela compare A.exr REFERENCE.exr, or candela compare SCENE.glb");
     if (scenes > 0 && options.inputs.size() > 1)
-        throw Error(Fault::usage, "a scene is compared with itself, under several profiles",
-                    options.inputs[1], "candela compare SCENE.glb --profile best --profile ue4");
+        throw Error(Fault::usage, "a scene is compared with its own truth", options.inputs[1],
+                    "candela compare SCENE.glb --profile best --profile ue4");
 }
 
 /// The pictures to compare and which of them is the reference.
@@ -96,12 +96,10 @@ Lineup line_up(const CompareOptions& options) {
     if (is_scene(options.inputs[0])) {
         SceneOptions scene = options.scene;
         scene.job.scene_file = options.inputs[0];
-        if (scene.profiles.empty()) scene.profiles = {"best", "frostbite", "ue4", "mobile"};
-        if (scene.profiles.size() == 1 && scene.profiles[0] != "best")
-            scene.profiles.insert(scene.profiles.begin(), "best");
-        if (scene.profiles.size() < 2)
-            throw Error(Fault::usage, "one profile has nothing to be compared with", "--profile",
-                        "give a second; the first is the reference");
+        if (scene.profiles.empty()) scene.profiles = {"best"};
+        if (scene.profiles.size() < 2 && !scene.truth)
+            throw Error(Fault::usage, "one profile has nothing to be compared with", "--no-truth",
+                        "give a second --profile; the first is the reference");
         out.pictures = render_pictures(scene, out.diagnostics);
     } else {
         for (const std::string& file : options.inputs)
@@ -360,9 +358,9 @@ int compare(const CompareOptions& options) {
 
 void add_compare(CLI::App& app, Action& action) {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App* command = app.add_subcommand(
-        "compare",
-        "Hold pictures against a reference (the last one), or a scene's profiles against each other");
+    CLI::App* command = app.add_subcommand("compare",
+                                           "Hold pictures against a reference (the last one), or a scene's "
+                                           "real-time frame against its ground truth");
     command->add_option("PICTURES", options->inputs, "A.exr|.hdr|.png ... REFERENCE, or one SCENE.glb|.gltf")
         ->required();
     command
@@ -386,12 +384,27 @@ void add_compare(CLI::App& app, Action& action) {
     add_device_options(*command, job);
     command->remove_option(command->get_option("--profile"));
     command
-        ->add_option("--profile", options->scene.profiles,
-                     "Of a scene; may be given several times, the first is the reference")
+        ->add_option(
+            "--profile", options->scene.profiles,
+            "Of a scene (best); may be given several times; truth has the material model of the first")
         ->take_all();
-    command->add_option("--samples,--spp", options->scene.samples, "Samples a pixel of a scene")
+    command
+        ->add_option("--samples,--spp", options->scene.samples,
+                     "Samples a pixel of a scene's real-time frame")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();
+    command->add_option("--path-spp", options->scene.path_samples, "Samples a pixel of the path tracer")
+        ->check(CLI::Range(1u, 1u << 24))
+        ->capture_default_str();
+    command
+        ->add_option("--integrate-spp", options->scene.integrate_samples, "Samples a pixel of the integrator")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    command->add_flag("--direct-only", options->scene.direct_only,
+                      "Path: only light straight from its source, as the frame has it, with shadows");
+    command->add_flag_callback(
+        "--no-truth", [options] { options->scene.truth = false; },
+        "Leave path and integrate out: the first profile is the reference");
     command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

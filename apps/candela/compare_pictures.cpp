@@ -9,9 +9,10 @@
 
 #include "candela/io/image_read.hpp"
 #include "candela/io/luminance_read.hpp"
-#include "candela/realtime/renderer.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "frame_mode.hpp"
+#include "path_mode.hpp"
 
 namespace candela::app {
 namespace {
@@ -87,48 +88,70 @@ NamedPicture load_display(const std::string& file, Diagnostics& diagnostics) {
     return out;
 }
 
-NamedPicture render_realtime(const gpu::Device& device, const Job& job, const SceneOptions& options) {
-    realtime::RendererOptions renderer_options;
-    renderer_options.width = job.width;
-    renderer_options.height = job.height;
-    renderer_options.samples = options.samples;
-    renderer_options.seed = options.job.seed;
-    renderer_options.profile = job.profile;
-    renderer_options.tone_curve = job.tone_curve;
-    realtime::Renderer renderer(device, job.scene, renderer_options);
-    const realtime::Still still = renderer.render_still(job.camera, job.exposure);
+NamedPicture named(const std::string& name, const std::string& mode, const realtime::Still& still,
+                   const Job& job, const std::string& device, std::uint32_t samples, std::uint32_t seed) {
     NamedPicture out;
-    out.name = job.profile.name;
+    out.name = name;
     out.picture = {still.width, still.height, {}};
     for (const glm::vec4& nit : still.planes.light_nit) out.picture.pixels.emplace_back(nit);
     out.exposure = still.exposure;
-    out.settings = {{"mode", "realtime"},
+    out.settings = {{"mode", mode},
                     {"profile", job.profile.name},
-                    {"samples", std::to_string(options.samples)},
-                    {"seed", std::to_string(options.job.seed)},
+                    {"samples", std::to_string(samples)},
+                    {"seed", std::to_string(seed)},
                     {"ev100", text_of(still.ev100)},
-                    {"device", device_line(device.info())},
+                    {"device", device},
                     {"version", version()}};
     add_setting(out.settings, "techniques", realtime::describe(job.profile));
     return out;
 }
 
-/// One way to make a picture of the scene. Other modes than real time add themselves to scene_sources().
+/// One way to make a picture of the scene.
 struct SceneSource {
     std::string name;
     std::function<NamedPicture(const gpu::Device&)> render;
 };
 
+SceneSource path_source(const SceneOptions& options, const std::shared_ptr<Job>& job) {
+    return {"path", [job, options](const gpu::Device&) {
+                PathModeOptions path;
+                path.samples = options.path_samples;
+                path.direct_only = options.direct_only;
+                const PathModePicture picture = render_by_path(*job, options.job, path, {});
+                NamedPicture out = named("path", "path", picture.still, *job, picture.info.device,
+                                         picture.info.samples, options.job.seed);
+                if (options.direct_only) out.settings.emplace_back("light", "direct only");
+                out.settings.emplace_back("estimated relative error",
+                                          text_of(static_cast<float>(picture.error)));
+                return out;
+            }};
+}
+
+SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job>& job, bool integrate) {
+    const std::string name = integrate ? "integrate" : job->profile.name;
+    return {name, [job, options, integrate, name](const gpu::Device& device) {
+                const std::uint32_t samples = integrate ? options.integrate_samples : options.samples;
+                const FrameModeStill frame =
+                    render_on_device(device, *job, {integrate, samples, options.job.seed, false});
+                return named(name, integrate ? "integrate" : "realtime", frame.still, *job,
+                             device_line(device.info()), samples, options.job.seed);
+            }};
+}
+
+/// The path tracer's picture first, as the reference, then the frame's integrals in full, then the frame
+/// under each profile; the first two with the material model of the first profile.
 std::vector<SceneSource> scene_sources(const SceneOptions& options, Diagnostics& diagnostics) {
     std::vector<SceneSource> out;
     for (const std::string& profile : options.profiles) {
         JobOptions job_options = options.job;
         job_options.profile = profile;
-        const auto job = std::make_shared<Job>(prepare(job_options));
-        if (out.empty()) diagnostics = job->diagnostics;
-        out.push_back({profile, [job, options](const gpu::Device& device) {
-                           return render_realtime(device, *job, options);
-                       }});
+        const auto job = std::make_shared<Job>(prepare(job_options, EmissiveSurfaces::light));
+        if (out.empty()) {
+            diagnostics = job->diagnostics;
+            if (options.truth) out.push_back(path_source(options, job));
+            if (options.truth) out.push_back(device_source(options, job, true));
+        }
+        out.push_back(device_source(options, job, false));
     }
     return out;
 }

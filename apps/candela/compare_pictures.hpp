@@ -22,11 +22,16 @@ struct NamedPicture {
 /// EXR and HDR as luminance, PNG (and JPEG, WebP) as display values. Throws Error.
 [[nodiscard]] NamedPicture load_picture(const std::string& file, Diagnostics& diagnostics);
 
-/// What a scene is rendered with, once for each profile.
+/// What a scene is rendered with: by path tracing and by the integrator unless `truth` is off, and once for
+/// each profile.
 struct SceneOptions {
     JobOptions job;
     std::vector<std::string> profiles;
     std::uint32_t samples = 4;
+    bool truth = true;
+    bool direct_only = false;
+    std::uint32_t path_samples = 64;
+    std::uint32_t integrate_samples = 16;
 };
 
 /// The pictures of a scene, the reference first. Throws Error.

@@ -88,9 +88,10 @@ truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
 std::string settings_text(const PathModeOptions& path, const JobOptions& options,
                           const truth::PathRenderOptions& o) {
     return std::to_string(o.samples) + " " + std::to_string(o.path.max_bounces) + " " +
-           std::to_string(o.path.direct_only) + std::to_string(o.path.furnace) + std::to_string(o.aovs) +
-           " " + std::to_string(options.seed) + " " + std::to_string(path.target_error.value_or(-1.0)) + " " +
-           std::to_string(o.lens.radius_m) + " " + std::to_string(o.lens.focus_m);
+           std::to_string(o.path.direct_only) + std::to_string(o.path.shadows) +
+           std::to_string(o.path.furnace) + std::to_string(o.aovs) + " " + std::to_string(options.seed) +
+           " " + std::to_string(path.target_error.value_or(-1.0)) + " " + std::to_string(o.lens.radius_m) +
+           " " + std::to_string(o.lens.focus_m);
 }
 
 glm::vec4 mean3(const double* sums, std::uint32_t samples) {
@@ -205,6 +206,11 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
     command.add_option("--max-bounces", o.max_bounces, "Path: surfaces that light may meet on its way (64)")
         ->check(CLI::Range(0, 100000));
     command.add_flag("--direct-only", o.direct_only, "Path: only light straight from its source");
+    command
+        .add_option("--shadows", o.shadows,
+                    "Path: ray, or none for direct light as if nothing were in its way")
+        ->check(CLI::IsMember({"ray", "none"}))
+        ->capture_default_str();
     command.add_flag("--furnace", o.furnace,
                      "Path: light everything by a uniform luminance of 1 cd/m2 instead");
     command.add_flag("--depth-of-field", o.depth_of_field, "Path: blur by the camera's aperture");
@@ -219,8 +225,8 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
 }
 
 bool any_path_option(const PathModeOptions& o) {
-    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.furnace ||
-           o.depth_of_field || o.focus_m || !o.checkpoint.empty();
+    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.shadows != "ray" ||
+           o.furnace || o.depth_of_field || o.focus_m || !o.checkpoint.empty();
 }
 
 PathModePicture render_by_path(Job& job, const JobOptions& options, const PathModeOptions& path,
@@ -230,6 +236,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.path.techniques = techniques_of(job.profile);
     o.path.max_bounces = path.max_bounces.value_or(o.path.max_bounces);
     o.path.direct_only = path.direct_only;
+    o.path.shadows = path.shadows == "ray";
     o.path.furnace = path.furnace;
     o.width = job.width;
     o.height = job.height;
@@ -240,7 +247,8 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.seed = options.seed;
     o.lens = lens_of(job, path);
     o.aovs = !files.aovs.empty();
-    o.checkpoint = path.checkpoint.empty() ? files.outputs.front() + ".part" : path.checkpoint;
+    o.checkpoint = path.checkpoint;
+    if (path.checkpoint.empty() && !files.outputs.empty()) o.checkpoint = files.outputs.front() + ".part";
     o.checkpoint_every_s = path.checkpoint_every_s;
     o.fingerprint = fingerprint(job, settings_text(path, options, o));
     const InterruptHandler interrupt;
@@ -262,6 +270,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     out.info.seed = options.seed;
     out.info.settings["max_bounces"] = std::to_string(o.path.max_bounces);
     if (path.direct_only) out.info.settings["light"] = "direct only";
+    if (!o.path.shadows) out.info.settings["light"] = "direct only, without shadows";
     if (path.furnace) out.info.settings["light"] = "furnace";
     if (o.aovs) out.info.layers = extra_layers(render.film);
     out.note = note_of(render, out.error, o.checkpoint.string());

@@ -8,17 +8,13 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "frame_mode.hpp"
 #include "job.hpp"
 #include "path_mode.hpp"
 #include "picture_files.hpp"
 
 namespace candela::app {
 namespace {
-
-/// Of a still on the device: of the real-time frame, and of the integrals that it approximates.
-std::uint32_t default_samples(const std::string& mode) {
-    return mode == "integrate" ? 64 : 4;
-}
 
 struct RenderOptions {
     JobOptions job;
@@ -41,30 +37,17 @@ using Seconds = std::map<std::string, double>;
 
 realtime::Still render_frame_still(const RenderOptions& options, Job& job, PictureInfo& info,
                                    Seconds& seconds) {
+    const bool integrate = options.mode == "integrate";
     const gpu::Device device(device_options(options.job));
     info.device = device_line(device.info());
-    info.samples = options.samples.value_or(default_samples(options.mode));
+    info.samples = options.samples.value_or(default_samples(integrate));
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
-    realtime::Still still;
-    {
-        realtime::RendererOptions renderer_options;
-        renderer_options.width = job.width;
-        renderer_options.height = job.height;
-        renderer_options.samples = info.samples;
-        renderer_options.seed = options.job.seed;
-        renderer_options.profile = job.profile;
-        renderer_options.tone_curve = job.tone_curve;
-        renderer_options.aovs = !options.files.aovs.empty();
-        if (options.mode == "integrate") renderer_options.integrate.emplace();
-        const auto setup = std::chrono::steady_clock::now();
-        realtime::Renderer renderer(device, job.scene, renderer_options);
-        seconds["setup"] = seconds_since(setup);
-        const auto draw = std::chrono::steady_clock::now();
-        still = renderer.render_still(job.camera, job.exposure);
-        seconds["render"] = seconds_since(draw);
-    }
+    FrameModeStill frame = render_on_device(
+        device, job, {integrate, info.samples, options.job.seed, !options.files.aovs.empty()});
+    seconds["setup"] = frame.setup_s;
+    seconds["render"] = frame.render_s;
     if (options.job.validation) throw_validation(device);
-    return still;
+    return std::move(frame.still);
 }
 
 nlohmann::json result_json(const RenderOptions& options, const Job& job, const realtime::Still& still,

@@ -117,7 +117,7 @@ TEST_F(CompareCommand, WrongRequestsAreOneLine) {
     expect_error(run_candela("compare " + tested_ + " " + reference_ + " --names one"), 2, "--names");
     expect_error(run_candela("compare " + tested_ + " " + (folder_ / "none.exr")), 1, "none.exr");
     expect_error(run_candela("compare scene.glb " + reference_), 2, "scene");
-    expect_error(run_candela("compare scene.glb --profile best"), 2, "--profile");
+    expect_error(run_candela("compare scene.glb --no-truth --profile best"), 2, "--profile");
 }
 
 TEST_F(CompareCommand, PicturesOfTwoSizesAreAnError) {
@@ -187,18 +187,22 @@ TEST_F(CompareCommand, TheReportKeepsHostileNamesInside) {
     EXPECT_EQ(page.find("https://"), std::string::npos);
 }
 
-TEST_F(CompareCommand, AScenesProfilesAreComparedWithTheFirst) {
+TEST_F(CompareCommand, AScenesFrameIsComparedWithItsTruth) {
     for (const auto& demo : candela::scenes::demos()) demo.write(folder_.path());
     const std::string scene = folder_ / "sphere_grid.glb";
     const std::string report = folder_ / "report.html";
-    const Outcome outcome =
-        run_candela("compare " + scene + " --stage " + (folder_ / "sphere_grid.stage.json") +
-                    " --size 96x54 --samples 1 --profile best --profile mobile --json -o " + report);
+    const Outcome outcome = run_candela(
+        "compare " + scene + " --stage " + (folder_ / "sphere_grid.stage.json") +
+        " --size 96x54 --samples 1 --path-spp 4 --integrate-spp 1 --profile best --profile mobile --json "
+        "-o " +
+        report);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json out = json::parse(outcome.out);
-    EXPECT_EQ(out["reference"], "best");
-    EXPECT_EQ(out["pictures"].size(), 1u);
-    EXPECT_EQ(out["pictures"][0]["name"], "mobile");
+    EXPECT_EQ(out["reference"], "path");
+    ASSERT_EQ(out["pictures"].size(), 3u);
+    EXPECT_EQ(out["pictures"][0]["name"], "integrate");
+    EXPECT_EQ(out["pictures"][1]["name"], "best");
+    EXPECT_EQ(out["pictures"][2]["name"], "mobile");
     EXPECT_GT(out["pictures"][0]["metrics"]["flip"], 0.0);
     EXPECT_TRUE(std::filesystem::exists(report));
 }

@@ -41,26 +41,15 @@ EnvironmentLight::EnvironmentLight(float luminance_nit)
 
 glm::vec3 EnvironmentLight::luminance_nit(const glm::vec3& direction) const {
     if (!environment_) return glm::vec3(constant_nit_);
-    const glm::vec2 uv =
-        shading::equirect_uv(shading::rotate_about_y(direction, -environment_->rotation_rad));
-    const float x = uv.x * static_cast<float>(size_.x) - 0.5f;
-    const float y = uv.y * static_cast<float>(size_.y) - 0.5f;
-    const float left = std::floor(x);
-    const float top = std::floor(y);
-    const float fx = x - left;
-    const float fy = y - top;
-    const auto column = [&](int c) { return static_cast<std::size_t>((c % size_.x + size_.x) % size_.x); };
-    const auto row = [&](int r) {
-        return static_cast<std::size_t>(std::clamp(r, 0, size_.y - 1)) * static_cast<std::size_t>(size_.x);
+    const shading::BilinearTexels t =
+        shading::environment_bilinear(shading::rotate_about_y(direction, -environment_->rotation_rad), size_);
+    const auto texel = [&](int x, int y) {
+        return environment_->luminance_nit[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+                                           static_cast<std::size_t>(x)];
     };
-    const std::size_t x0 = column(static_cast<int>(left));
-    const std::size_t x1 = column(static_cast<int>(left) + 1);
-    const std::size_t y0 = row(static_cast<int>(top));
-    const std::size_t y1 = row(static_cast<int>(top) + 1);
-    const auto& t = environment_->luminance_nit;
-    const glm::vec3 upper = t[y0 + x0] * (1.0f - fx) + t[y0 + x1] * fx;
-    const glm::vec3 lower = t[y1 + x0] * (1.0f - fx) + t[y1 + x1] * fx;
-    return (upper * (1.0f - fy) + lower * fy) * environment_->scale;
+    const glm::vec3 upper = glm::mix(texel(t.low.x, t.low.y), texel(t.high.x, t.low.y), t.fraction.x);
+    const glm::vec3 lower = glm::mix(texel(t.low.x, t.high.y), texel(t.high.x, t.high.y), t.fraction.x);
+    return glm::mix(upper, lower, t.fraction.y) * environment_->scale;
 }
 
 float EnvironmentLight::texel_pdf(const glm::ivec2& texel) const {

@@ -24,6 +24,15 @@ glm::vec3 share(const glm::vec3& part, const glm::vec3& whole) {
     return out;
 }
 
+/// Turns normals that look away from the viewer, as both modes on the device do.
+void face_viewer(SurfacePoint& p, const glm::vec3& v) {
+    p.normal = shading::normal_facing(p.normal, v);
+    p.coat_normal = shading::normal_facing(p.coat_normal, v);
+    const glm::vec3 along = p.tangent - p.normal * glm::dot(p.normal, p.tangent);
+    p.tangent = along / std::sqrt(std::max(glm::dot(along, along), 1.0e-12f));
+    p.bitangent = glm::cross(p.normal, p.tangent);
+}
+
 EnvironmentLight environment_of(const scene::Scene& scene, const PathOptions& options) {
     if (options.furnace) return EnvironmentLight(1.0f);
     if (!scene.environment || scene.environment->luminance_nit.empty()) return {};
@@ -156,7 +165,10 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
     const glm::vec3 both = diffuse + specular;
     if (black(both)) return;
     float weight = 1.0f / light.pdf;
-    if (!light.delta) {
+    // Without shadows a ray cannot find a surface behind others: near lights are then drawn in this way
+    // alone.
+    const bool only_way = light.delta || (!options_.shadows && !environment);
+    if (!only_way) {
         const SurfacePoint& p = vertex.point;
         weight *= shading::power_heuristic(
             light.pdf, shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
@@ -169,7 +181,7 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
         shadow.direction = way / std::max(length_m, 1e-20f);
         shadow.t_max = length_m * (1.0f - 1e-4f);
     }
-    const float visible = transmitted(shadow);
+    const float visible = options_.shadows ? transmitted(shadow) : 1.0f;
     if (visible <= 0.0f) return;
     if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
     walk.add(walk.throughput * both * light.light * (weight * visible), walk.bounces == 0 && !environment);
@@ -255,10 +267,12 @@ bool PathIntegrator::bounce(Walk& walk, const Vertex& vertex, const PathSampler&
 PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampler) const {
     Walk walk;
     walk.ray = camera_ray;
-    const int last = options_.direct_only ? std::min(1, options_.max_bounces) : options_.max_bounces;
+    const bool direct_only = options_.direct_only || !options_.shadows;
+    const int last = direct_only ? std::min(1, options_.max_bounces) : options_.max_bounces;
     while (true) {
         Hit hit;
-        if (!next_surface(walk.ray, hit, sampler, walk.bounces)) {
+        const bool sees_through = walk.bounces > 0 && !options_.shadows;
+        if (sees_through || !next_surface(walk.ray, hit, sampler, walk.bounces)) {
             add_environment(walk);
             break;
         }
@@ -277,6 +291,7 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
         add_emission(walk, p, hit);
         if (walk.bounces >= last) break;
         vertex.v = -walk.ray.direction;
+        face_viewer(p, vertex.v);
         vertex.origin = offset_from_surface(p.position, p.geometric_normal);
         vertex.smooth_origin = offset_from_surface(p.smooth_position, p.geometric_normal);
         const float NoV = std::clamp(glm::dot(p.normal, vertex.v), 1.0e-4f, 1.0f);

@@ -16,6 +16,7 @@ struct PathOptions {
     shading::BsdfTechniques techniques{};  ///< of the material model: the profile's
     int max_bounces = 64;                  ///< surfaces after the first that a path may meet
     bool direct_only = false;  ///< light that comes straight from a source, as area-light techniques see it
+    bool shadows = true;       ///< without them: direct light as if nothing were in its way
     bool furnace = false;      ///< a uniform environment of luminance 1 is the only light
 };
 
@@ -33,8 +34,8 @@ struct PathResult {
     glm::vec3 albedo{0.0f};
     glm::vec3 normal{0.0f};
     float distance_m = std::numeric_limits<float>::infinity();  ///< along the camera ray
-    std::uint32_t object_id = 0;    ///< instance + 1; 0: nothing hit
-    std::uint32_t material_id = 0;  ///< material + 1
+    std::uint32_t object_id = 0;                                ///< instance + 1; 0: nothing hit
+    std::uint32_t material_id = 0;                              ///< material + 1
 };
 
 /// Unbiased unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at

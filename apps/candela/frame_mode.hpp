@@ -1,0 +1,28 @@
+#pragma once
+
+#include "candela/realtime/renderer.hpp"
+#include "job.hpp"
+
+namespace candela::app {
+
+struct FrameModeOptions {
+    bool integrate = false;  ///< the frame's integrals in full instead of its techniques
+    std::uint32_t samples = 4;
+    std::uint32_t seed = 0;
+    bool aovs = false;
+};
+
+/// Samples a pixel of a mode on the device when nothing is said: realtime, or integrate.
+[[nodiscard]] std::uint32_t default_samples(bool integrate);
+
+struct FrameModeStill {
+    realtime::Still still;
+    double setup_s = 0.0;
+    double render_s = 0.0;
+};
+
+/// Renders the job on the device. Throws Error.
+[[nodiscard]] FrameModeStill render_on_device(const gpu::Device& device, const Job& job,
+                                              const FrameModeOptions& options);
+
+}  // namespace candela::app
