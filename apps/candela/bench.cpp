@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench_start.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct BenchOptions {
     JobOptions job;
     int frames = 60;
+    bool first_frame_only = false;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -59,13 +61,15 @@ int bench(const BenchOptions& options) {
     renderer_options.height = job.height;
     renderer_options.profile = job.profile;
     renderer_options.tone_curve = job.tone_curve;
-    double first_frame_ms = 0.0;
     std::vector<double> frame_ms;
     std::vector<std::vector<gpu::PassTime>> passes;
     {
         realtime::Renderer renderer(device, job.scene, renderer_options);
         (void)renderer.render_frame(job.camera, job.exposure);
-        first_frame_ms = milliseconds_since(start);
+        if (options.first_frame_only) {
+            report_first_frame();
+            return 0;
+        }
         for (int i = 0; i < options.frames; ++i) {
             const auto frame = Clock::now();
             passes.push_back(renderer.render_frame(job.camera, job.exposure));
@@ -74,6 +78,8 @@ int bench(const BenchOptions& options) {
     }
     const std::vector<gpu::PassTime> pass_ms = median_passes(passes);
     const double device_mib = static_cast<double>(device.peak_memory_bytes()) / (1024.0 * 1024.0);
+    const double host_mib = peak_host_mib();
+    const StartTimes starts = measure_starts();
     if (options.job.json) {
         const nlohmann::json out{{"version", version()},
                                  {"device", device_line(device.info())},
@@ -82,13 +88,14 @@ int bench(const BenchOptions& options) {
                                  {"triangles", scene::triangle_count(job.scene)},
                                  {"lights", job.scene.lights.size()},
                                  {"load_ms", load_ms},
-                                 {"start_to_first_frame_ms", first_frame_ms},
+                                 {"start_to_first_frame_ms_cold", starts.cold_ms},
+                                 {"start_to_first_frame_ms_warm", starts.warm_ms},
                                  {"frames", options.frames},
                                  {"frame_ms_median", median(frame_ms)},
                                  {"frame_ms_min", *std::min_element(frame_ms.begin(), frame_ms.end())},
                                  {"frame_ms_max", *std::max_element(frame_ms.begin(), frame_ms.end())},
                                  {"passes", pass_times_json(pass_ms)},
-                                 {"peak_host_mib", peak_host_mib()},
+                                 {"peak_host_mib", host_mib},
                                  {"peak_device_mib", device_mib},
                                  {"warnings", warnings_json(job.diagnostics)}};
         std::printf("%s\n", out.dump(2).c_str());
@@ -96,11 +103,12 @@ int bench(const BenchOptions& options) {
     }
     std::printf("%s, %ux%u, %zu triangles, %zu lights\n", device_line(device.info()).c_str(), job.width,
                 job.height, scene::triangle_count(job.scene), job.scene.lights.size());
-    std::printf("start to first frame  %8.1f ms (loading %.1f)\n", first_frame_ms, load_ms);
+    std::printf("start to first frame  %8.1f ms cold, %.1f ms warm (loading %.1f)\n", starts.cold_ms,
+                starts.warm_ms, load_ms);
     std::printf("frame, median of %-4d %8.2f ms\n", options.frames, median(frame_ms));
     for (const gpu::PassTime& pass : pass_ms)
         std::printf("  %-18s  %8.2f ms\n", pass.name.c_str(), pass.milliseconds);
-    std::printf("peak memory           %8.1f MiB host, %.1f MiB device\n", peak_host_mib(), device_mib);
+    std::printf("peak memory           %8.1f MiB host, %.1f MiB device\n", host_mib, device_mib);
     print_warnings(job.diagnostics);
     return 0;
 }
@@ -116,6 +124,7 @@ void add_bench(CLI::App& app, Action& action) {
     add_device_options(*command, options->job);
     command->add_option("--frames", options->frames, "Frames to take the median of")
         ->check(CLI::Range(1, 100000));
+    command->add_flag(kFirstFrameOnly, options->first_frame_only, "Leave after the first frame")->group("");
     command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }
 

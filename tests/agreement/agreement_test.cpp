@@ -148,11 +148,11 @@ class SceneFlip : public testing::TestWithParam<FlipCase> {};
 // The same integral, drawn from the same densities, on the device and on the CPU.
 TEST(Agreement, IntegratorAndPathTracerFindTheSameDirectLight) {
     Staged s = demo(scenes::write_sphere_grid, "sphere_grid");
-    const glm::uvec2 size(80, 48);
+    const glm::uvec2 size(160, 88);
     const scene::Environment environment = *s.scene.environment;
     const auto check = [&](const char* what) {
-        const measure::Picture device = blocks(on_device(s, "best", true, 400, size).picture);
-        const measure::Picture path = blocks(by_path(s, without_shadows(), 1600, size));
+        const measure::Picture device = blocks(on_device(s, "best", true, 256, size).picture);
+        const measure::Picture path = blocks(by_path(s, without_shadows(), 1024, size));
         EXPECT_LT(relative_difference(device, path), 0.005) << what;
     };
     check("environment");

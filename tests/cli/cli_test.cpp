@@ -110,6 +110,8 @@ TEST(CommandLine, JsonIsTheOnlyThingOnStandardOutput) {
         run_candela("bench " + scene_file("sphere_grid") + " --size 64x64 --frames 3 --json").out);
     EXPECT_GT(bench["frame_ms_median"], 0.0);
     EXPECT_GT(bench["peak_host_mib"], 1.0);
+    EXPECT_GT(bench["start_to_first_frame_ms_cold"], 0.0);
+    EXPECT_GT(bench["start_to_first_frame_ms_warm"], 0.0);
 }
 
 TEST(CommandLine, TwoRunsGiveTheSameBytesAndSeveralOutputsOnePicture) {
