@@ -1,3 +1,5 @@
+#include <glm/geometric.hpp>
+
 #include "demo_scenes.hpp"
 #include "gltf_document.hpp"
 #include "sky.hpp"
@@ -25,6 +27,12 @@ void write_sphere_grid(const std::filesystem::path& folder) {
     scene.camera("main", {0.0f, 1.05f, 8.0f}, {0.0f, 1.05f, 0.0f}, 58.0f);
     scene.save(folder / "sphere_grid.glb");
     soft_box_studio(500.0f).save(folder / "studio.exr");
+    // For measurements (bench/path_convergence): a peak of about two thousand times the mean.
+    SkySettings hazy;
+    hazy.to_sun = glm::normalize(glm::vec3(-0.5f, 0.6f, 0.6f));
+    hazy.sun_illuminance_lx = 2500.0f;
+    hazy.ground_illuminance_lx = 20000.0f;
+    outdoor_sky(hazy).save(folder / "hazy_sun.exr");
     write_stage(folder / "sphere_grid.stage.json",
                 {{"environment", {{"file", "studio.exr"}}},
                  {"exposure", manual_exposure(4.0f, 1.0f / 15.0f, 100.0f)}});
