@@ -62,6 +62,23 @@ TEST(Sequence, SobolSecondDimensionHasItsKnownStart) {
     for (uint i = 0; i < 8; ++i) EXPECT_EQ(unit_float(sobol_second(i)), expected[i]) << i;
 }
 
+// The butterfly against the sum of direction numbers that defines the sequence.
+TEST(Sequence, SobolSecondDimensionIsTheSumOfItsDirectionNumbers) {
+    uint index = 1;
+    for (int trial = 0; trial < 2000; ++trial) {
+        index = hash_uint(index);
+        uint expected = 0;
+        uint direction = 0x80000000u;
+        for (uint rest = index; rest != 0; rest >>= 1) {
+            if (rest & 1u) expected ^= direction;
+            direction ^= direction >> 1;
+        }
+        ASSERT_EQ(sobol_second(index), expected) << index;
+        ASSERT_EQ(bitfieldReverse(bitfieldReverse(index)), index);
+        ASSERT_EQ(bitfieldReverse(index) & 1u, index >> 31);
+    }
+}
+
 TEST(Sequence, ScramblingKeepsTheNetForEverySeedAndEveryPair) {
     for (uint seed = 0; seed < 50; ++seed) {
         EXPECT_TRUE(is_net([&](uint i) { return sobol_owen(i, seed); }, 8)) << seed;

@@ -26,6 +26,7 @@ glm::vec3 share(const glm::vec3& part, const glm::vec3& whole) {
 
 /// Turns normals that look away from the viewer, as both modes on the device do.
 void face_viewer(SurfacePoint& p, const glm::vec3& v) {
+    if (glm::dot(p.normal, v) >= 1.0e-4f && glm::dot(p.coat_normal, v) >= 1.0e-4f) return;
     p.normal = shading::normal_facing(p.normal, v);
     p.coat_normal = shading::normal_facing(p.coat_normal, v);
     const glm::vec3 along = p.tangent - p.normal * glm::dot(p.normal, p.tangent);
@@ -44,15 +45,16 @@ EnvironmentLight environment_of(const scene::Scene& scene, const PathOptions& op
 /// A surface on the path, ready to be lit.
 struct PathIntegrator::Vertex {
     SurfacePoint point;
-    glm::vec3 origin{0.0f};         ///< of rays that leave it
-    glm::vec3 smooth_origin{0.0f};  ///< of those that leave it close to, or below, the plane of its triangle
-    glm::vec3 v{0.0f};              ///< unit, towards where the path came from
+    glm::vec3 origin{0.0f};  ///< of rays that leave it
+    glm::vec3 v{0.0f};       ///< unit, towards where the path came from
     glm::vec4 dfg{0.0f};
     shading::PreparedSurface prepared{};
     shading::BsdfLobes lobes{};
 
-    [[nodiscard]] const glm::vec3& origin_towards(const glm::vec3& l) const {
-        return glm::dot(point.geometric_normal, l) < kGrazingCosine ? smooth_origin : origin;
+    /// Those that leave it close to, or below, the plane of its triangle start from the smooth surface.
+    [[nodiscard]] glm::vec3 origin_towards(const glm::vec3& l) const {
+        if (glm::dot(point.geometric_normal, l) >= kGrazingCosine) return origin;
+        return offset_from_surface(point.smooth_position, point.geometric_normal);
     }
 };
 
@@ -293,7 +295,6 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
         vertex.v = -walk.ray.direction;
         face_viewer(p, vertex.v);
         vertex.origin = offset_from_surface(p.position, p.geometric_normal);
-        vertex.smooth_origin = offset_from_surface(p.smooth_position, p.geometric_normal);
         const float NoV = std::clamp(glm::dot(p.normal, vertex.v), 1.0e-4f, 1.0f);
         vertex.dfg = albedo_.read(NoV, p.surface.perceptual_roughness);
         glm::vec4 coat_dfg(0.0f);

@@ -61,6 +61,9 @@ glm::vec3 smooth_surface(const Part& part, const std::uint32_t* index, float u, 
                          float facing) {
     const float weight[3] = {1.0f - u - v, u, v};
     glm::vec3 shift(0.0f);
+    // Of a flat face nothing bulges.
+    if (part.normals[index[0]] == part.normals[index[1]] && part.normals[index[0]] == part.normals[index[2]])
+        return p;
     for (int c = 0; c < 3; ++c) {
         const glm::vec3 n = part.normals[index[c]] * facing;
         shift -= weight[c] * std::min(glm::dot(p - part.positions[index[c]], n), 0.0f) * n;
