@@ -33,8 +33,8 @@ struct PathResult {
     glm::vec3 albedo{0.0f};
     glm::vec3 normal{0.0f};
     float distance_m = std::numeric_limits<float>::infinity();  ///< along the camera ray
-    std::uint32_t object_id = 0;    ///< instance + 1; 0: nothing hit
-    std::uint32_t material_id = 0;  ///< material + 1
+    std::uint32_t object_id = 0;                                ///< instance + 1; 0: nothing hit
+    std::uint32_t material_id = 0;                              ///< material + 1
 };
 
 /// Unbiased unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at
