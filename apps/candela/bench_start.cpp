@@ -58,6 +58,7 @@ std::vector<std::string> environment_with_cache(const std::string& folder) {
 
 std::vector<char*> null_terminated(std::vector<std::string>& strings) {
     std::vector<char*> out;
+    out.reserve(strings.size() + 1);
     for (std::string& s : strings) out.push_back(s.data());
     out.push_back(nullptr);
     return out;

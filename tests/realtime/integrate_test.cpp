@@ -4,9 +4,9 @@
 
 #include "candela/bake/environment.hpp"
 #include "quadrature.hpp"
+#include "render_scenes.hpp"
 #include "shading/dfg.glsl"
 #include "shading/transfer.glsl"
-#include "render_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;
