@@ -89,10 +89,11 @@ TEST(PathSurface, CoarseMeshesHaveNoFacetedTerminator) {
     for (std::uint32_t y = 0; y < 128; ++y) {
         for (std::uint32_t x = 0; x < 128; ++x) {
             const truth::PathSampler sampler({x, y}, 0, 0);
-            const truth::PathResult path =
-                integrator.trace(rays.through(glm::vec2(x, y) + 0.5f, glm::vec2(0.5f)), sampler);
+            const truth::Ray ray = rays.through(glm::vec2(x, y) + 0.5f, glm::vec2(0.5f));
+            const truth::PathResult path = integrator.trace(ray, sampler);
             const float NoL = glm::dot(path.normal, l);
-            if (path.object_id == 0 || NoL < 0.12f) continue;
+            // Normals that look away from the viewer are turned before they are lit.
+            if (path.object_id == 0 || NoL < 0.12f || glm::dot(path.normal, ray.direction) > -1e-3f) continue;
             ++checked;
             EXPECT_NEAR(path.luminance_nit.y, 1000.0 * static_cast<double>(NoL) / kPi, 1.0) << x << ", " << y;
         }
