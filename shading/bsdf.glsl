@@ -216,8 +216,8 @@ FN vec3 evaluate_layered(Surface s, BsdfTechniques t, vec3 n, vec3 tangent, vec3
 }
 
 // What multiplies the prefiltered radiance of the base's lobe: its directional albedo (split sum).
-FN vec3 ibl_specular_weight(Surface s, BsdfTechniques t, vec4 dfg) {
-    PreparedSurface p = prepare_surface(s, t, 1.0f, dfg);
+FN vec3 ibl_specular_weight(Surface s, BsdfTechniques t, float NoV, vec4 dfg) {
+    PreparedSurface p = prepare_surface(s, t, NoV, dfg);
     return p.specular_f0 * dfg.x + p.specular_f90 * dfg.y;
 }
 
@@ -254,7 +254,7 @@ FN IblWeights ibl_layered_weights(Surface s, BsdfTechniques t, float NoV, float 
     float under_sheen = under_coat * sheen_transmittance(s.sheen_color, sheen_albedo);
     IblWeights w;
     w.diffuse = ibl_diffuse_weight(s, t, NoV, dfg) * under_sheen;
-    w.specular = ibl_specular_weight(s, t, dfg) * under_sheen;
+    w.specular = ibl_specular_weight(s, t, NoV, dfg) * under_sheen;
     w.sheen = s.sheen_color * (sheen_albedo * under_coat);
     w.coat = coat_reflectance(s.coat, saturate(coat_NoV)) * (coat_dfg.x + coat_dfg.y);
     return w;

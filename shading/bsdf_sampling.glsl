@@ -69,7 +69,8 @@ FN float pdf_ggx_reflection(vec3 local_v, vec3 local_l, vec2 alpha) {
     vec3 v = visible_view(local_v);
     vec3 sum = v + local_l;
     float length2 = dot(sum, sum);
-    if (local_l.z <= 0.0f || length2 < 1.0e-12f) return 0.0f;
+    // Directions below the lobe's own horizon are drawn too, and a coat's horizon is not the base's.
+    if (length2 < 1.0e-12f) return 0.0f;
     // VoH cancels between the density of h and pdf_reflected. It must: at grazing angles v + l has few digits, and a
     // VoH that comes out negative would make the density 0 where the lobe is highest.
     return 0.25f * ggx_visible_normals(v, sum * inversesqrt(length2), alpha);
@@ -116,9 +117,10 @@ FN float pdf_bsdf(BsdfLobes lobes, Surface s, vec3 n, vec3 tangent, vec3 bitange
 
 // Weight of a draw with density pdf beside a second way of density other: Veach 1995, power heuristic with exponent 2.
 FN float power_heuristic(float pdf, float other) {
-    float a = pdf * pdf;
-    float b = other * other;
-    return a > 0.0f ? a / (a + b) : 0.0f;
+    // As a ratio: the squares of densities of tiny lights are beyond single precision.
+    if (pdf <= 0.0f) return 0.0f;
+    float ratio = other / pdf;
+    return 1.0f / (1.0f + ratio * ratio);
 }
 
 CANDELA_SHADING_END

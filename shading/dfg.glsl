@@ -97,8 +97,8 @@ FN vec4 integrate_dfg(float NoV, float perceptual_roughness, uint sample_count) 
                 integrate_sheen_albedo(NoV, perceptual_roughness, sample_count));
 }
 
-// Scale and bias with Schlick's visibility at k = alpha / 2: Karis 2013, "Environment BRDF". Samples
-// half-vectors of the whole distribution, as there.
+// Scale and bias with Schlick's visibility at k = alpha / 2: Karis 2013, "Environment BRDF". Changed
+// from Karis: visible normals are drawn, not all.
 FN vec2 integrate_ggx_albedo_ue4(float NoV, float perceptual_roughness, uint sample_count) {
     float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
     float cosine = clamp(NoV, 1.0e-4f, 1.0f);

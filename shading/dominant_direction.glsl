@@ -21,7 +21,7 @@ FN vec3 specular_dominant_direction_fit(vec3 n, vec3 mirror, float NoV, float al
     return mix(n, mirror, toward_mirror);
 }
 
-// The version for area lights. Lagarde & de Rousiers 2014, section 4.7.3, listing 16. `alpha` in [0,1]; unit length.
+// The version for area lights. Lagarde & de Rousiers 2014, section 4.7.5, listing 16. `alpha` in [0,1]; unit length.
 FN vec3 specular_dominant_direction_area(vec3 n, vec3 mirror, float alpha) {
     return normalize(mix(n, mirror, 1.0f - alpha));
 }

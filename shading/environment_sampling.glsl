@@ -13,7 +13,7 @@ FN vec3 environment_texel_direction(ivec2 texel, vec2 fraction, ivec2 size) {
     float azimuth = ((float(texel.x) + fraction.x) / float(size.x) - 0.5f) * TWO_PI;
     float step = PI / float(size.y);
     float top = float(texel.y) * step;
-    // 1 - cos and 1 + cos of the polar angle, each without cancellation.
+    // 1 - cos of the polar angle keeps its digits at the upper pole; at the lower one a draw may read back as its neighbour.
     float above = 2.0f * square(sin(0.5f * top));
     float cap = above + fraction.y * 2.0f * sin(top + 0.5f * step) * sin(0.5f * step);
     float sine = sqrt(max(cap * (2.0f - cap), 0.0f));

@@ -48,7 +48,7 @@ FN float G1_SmithGGX(float cosine, float alpha) {
     return 2.0f * cosine / max(cosine + smith_ggx_root(cosine, alpha), 1.0e-12f);
 }
 
-// Smith with height-correlated masking and shadowing: Heitz 2014, equation 99; Frostbite section 3.1.2,
+// Smith with height-correlated masking and shadowing: Heitz 2014, equation 99; Frostbite section 3.1.5,
 // listing 2. The guard prevents 0/0 where both directions graze.
 FN float V_SmithGGXCorrelated(float NoV, float NoL, float alpha) {
     float sum = NoL * smith_ggx_root(NoV, alpha) + NoV * smith_ggx_root(NoL, alpha);

@@ -1,6 +1,6 @@
 // Conversions between the photometric units that hold for every emitter. Shapes: lights/units.glsl; EV100:
 // exposure.glsl, included here so that one include gives all units.
-// Source: Lagarde & de Rousiers 2014 ("Frostbite"), sections 4.2 to 4.4.
+// Source: Lagarde & de Rousiers 2014 ("Frostbite"), sections 4.3, 4.4 and 4.7.1.
 #ifndef CANDELA_PHOTOMETRY_GLSL
 #define CANDELA_PHOTOMETRY_GLSL
 
@@ -33,7 +33,7 @@ FN float lx_from_cd(float intensity_cd, float distance_m) {
     return intensity_cd / max(square(distance_m), square(kPunctualMinDistance_m));
 }
 
-// Intensity from an illuminance measured at normal incidence (Frostbite section 4.2, the remark on meters).
+// Intensity from an illuminance measured at normal incidence (Frostbite section 4.3, the remark on meters).
 FN float cd_from_lx(float illuminance_lx, float distance_m) {
     return illuminance_lx * max(square(distance_m), square(kPunctualMinDistance_m));
 }

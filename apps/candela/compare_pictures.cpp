@@ -145,7 +145,7 @@ std::vector<SceneSource> scene_sources(const SceneOptions& options, Diagnostics&
     for (const std::string& profile : options.profiles) {
         JobOptions job_options = options.job;
         job_options.profile = profile;
-        const auto job = std::make_shared<Job>(prepare(job_options, EmissiveSurfaces::light));
+        const auto job = std::make_shared<Job>(prepare(job_options));
         if (out.empty()) {
             diagnostics = job->diagnostics;
             if (options.truth) out.push_back(path_source(options, job));

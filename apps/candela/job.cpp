@@ -24,6 +24,26 @@ void check_range(float value, float low, float high, const std::string& where, c
     if (!(value >= low && value <= high)) throw usage("out of range", where, hint);
 }
 
+/// What the parser lets through as a number: nan, inf, and values that no scene means.
+void check_numbers(const JobOptions& o) {
+    const auto limit = [](const std::string& name, float value, float low, float high) {
+        char range[64];
+        std::snprintf(range, sizeof(range), "%g to %g", static_cast<double>(low), static_cast<double>(high));
+        check_range(value, low, high, name, range);
+    };
+    limit("--env-scale", o.env_scale.value_or(1.0f), 0.0f, 1e12f);
+    limit("--env-lux", o.env_lux.value_or(1.0f), 1e-9f, 1e12f);
+    limit("--env-rotate", o.env_rotate_deg.value_or(0.0f), -36000.0f, 36000.0f);
+    limit("--light-scale", o.light_scale, 0.0f, 1e12f);
+    limit("--time", o.time_s, -1e9f, 1e9f);
+    limit("--focal-mm", o.focal_mm.value_or(50.0f), 1.0f, 5000.0f);
+    limit("--exposure-compensation", o.exposure_compensation.value_or(0.0f), -30.0f, 30.0f);
+    limit("--aperture", o.aperture_f.value_or(1.0f), 0.1f, 1000.0f);
+    limit("--iso", o.iso.value_or(100.0f), 1.0f, 1e7f);
+    for (const float x : o.look_from) limit("--look-from", x, -1e9f, 1e9f);
+    for (const float x : o.look_at) limit("--look-at", x, -1e9f, 1e9f);
+}
+
 void parse_size(const std::string& text, Job& job) {
     constexpr std::uint32_t largest = 16384;
     const char* end = text.data() + text.size();
@@ -80,8 +100,9 @@ realtime::Profile load_profile(const std::string& name) {
     return profile;
 }
 
-/// The environment that the command line asks for, else the stage's; false when neither says anything.
-bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+/// The environment that the command line asks for, else the stage's, else the studio where nothing else gives
+/// light.
+void stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
     float lux = 0.0f;  // 0: leave the scale as it is
     if (stage.environment && !stage.environment->none) {
         const io::StageEnvironment& e = *stage.environment;
@@ -95,7 +116,7 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     const bool stage_says_none = stage.environment && stage.environment->none && options.environment.empty();
     if (options.environment == "none" || stage_says_none) {
         job.scene.environment.reset();
-        return true;
+        return;
     }
     if (options.environment == "studio") {
         job.scene.environment = bake::studio_environment();
@@ -103,7 +124,12 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
         job.scene.environment = io::read_environment(options.environment, job.diagnostics);
         lux = 0.0f;
     }
-    if (!job.scene.environment) return false;
+    if (!job.scene.environment && job.scene.lights.empty()) {
+        job.scene.environment = bake::studio_environment();
+        job.diagnostics.warn(
+            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
+    }
+    if (!job.scene.environment) return;
     scene::Environment& e = *job.scene.environment;
     if (options.env_scale) e.scale = *options.env_scale;
     if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
@@ -116,7 +142,6 @@ bool stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
             throw input_error("the environment gives no light", e.name, "leave --env-lux out");
         e.scale = lux / now_lx;
     }
-    return true;
 }
 
 bool has_emissive_surface(const scene::Scene& scene) {
@@ -196,18 +221,15 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 void add_scene_options(CLI::App& command, JobOptions& o) {
     command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
     command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
-    command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance")
-        ->check(CLI::NonNegativeNumber);
+    command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
-    command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx")
-        ->check(CLI::PositiveNumber);
+    command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx");
     command.add_flag_callback(
         "--env-visible", [&o] { o.env_visible = true; }, "Draw the environment as background");
     command.add_flag_callback(
         "--env-hidden", [&o] { o.env_visible = false; },
         "Leave the background black, with the environment's light");
-    command.add_option("--light-scale", o.light_scale, "Multiplies every punctual light of the file")
-        ->check(CLI::NonNegativeNumber);
+    command.add_option("--light-scale", o.light_scale, "Multiplies every punctual light of the file");
     command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
 }
 
@@ -242,23 +264,24 @@ void add_device_options(CLI::App& command, JobOptions& o) {
     command.add_flag("--json", o.json, "Print one JSON object on standard output");
 }
 
-Job prepare(const JobOptions& options, EmissiveSurfaces emissive) {
+Job prepare(const JobOptions& options) {
     Job job;
+    check_numbers(options);
     parse_size(options.size, job);
     job.profile = load_profile(options.profile);
     job.tone_curve = parse_tone_curve(options.tonemap);
     job.scene = io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, job.diagnostics);
     io::Stage stage;
     if (!options.stage_file.empty()) stage = io::load_stage(options.stage_file);
-    const bool lit_by_surfaces = emissive == EmissiveSurfaces::light && has_emissive_surface(job.scene);
-    if (!stage_environment(options, stage, job) && job.scene.lights.empty() && !lit_by_surfaces) {
-        job.scene.environment = bake::studio_environment();
-        job.diagnostics.warn(
-            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
-    }
+    stage_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);
     return job;
+}
+
+void warn_of_dark_emission(Job& job) {
+    if (job.scene.environment || !job.scene.lights.empty() || !has_emissive_surface(job.scene)) return;
+    job.diagnostics.warn("emissive surfaces show, but light nothing in this mode (--mode path)");
 }
 
 gpu::DeviceOptions device_options(const JobOptions& options) {

@@ -59,11 +59,12 @@ struct Job {
     Diagnostics diagnostics;
 };
 
-/// Whether emissive surfaces light others: in the truth they do, in the real-time frame they only show.
-enum class EmissiveSurfaces : std::uint8_t { show, light };
+/// Loads and stages the scene; one that brings neither lights nor an environment gets the built-in studio, in
+/// every mode, so that their pictures can be compared. Throws Error.
+[[nodiscard]] Job prepare(const JobOptions& options);
 
-/// Loads and stages the scene; one that brings no light gets the built-in studio. Throws Error.
-[[nodiscard]] Job prepare(const JobOptions& options, EmissiveSurfaces emissive = EmissiveSurfaces::show);
+/// A warning for modes in which emissive surfaces only show, when they are all the light there is.
+void warn_of_dark_emission(Job& job);
 
 [[nodiscard]] gpu::DeviceOptions device_options(const JobOptions& options);
 

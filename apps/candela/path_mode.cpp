@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -85,13 +86,19 @@ truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
     return lens;
 }
 
+std::string exact_text(double value) {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.17g", value);
+    return text;
+}
+
 std::string settings_text(const PathModeOptions& path, const JobOptions& options,
                           const truth::PathRenderOptions& o) {
     return std::to_string(o.samples) + " " + std::to_string(o.path.max_bounces) + " " +
            std::to_string(o.path.direct_only) + std::to_string(o.path.shadows) +
            std::to_string(o.path.furnace) + std::to_string(o.aovs) + " " + std::to_string(options.seed) +
-           " " + std::to_string(path.target_error.value_or(-1.0)) + " " + std::to_string(o.lens.radius_m) +
-           " " + std::to_string(o.lens.focus_m);
+           " " + exact_text(path.target_error.value_or(-1.0)) + " " + std::to_string(o.lens.radius_m) + " " +
+           std::to_string(o.lens.focus_m);
 }
 
 glm::vec4 mean3(const double* sums, std::uint32_t samples) {
@@ -182,15 +189,31 @@ std::uint32_t fewest_samples(const Film& film) {
 
 std::string note_of(const truth::PathRender& render, double error, const std::string& checkpoint) {
     char text[200];
-    std::snprintf(text, sizeof(text), "%u samples a pixel or more, estimated relative error %.4f",
-                  fewest_samples(render.film), error);
+    std::snprintf(text, sizeof(text), "%u samples a pixel or more", fewest_samples(render.film));
     std::string note = text;
+    if (std::isfinite(error)) {
+        std::snprintf(text, sizeof(text), ", estimated relative error %.4f", error);
+        note += text;
+    }
     if (render.resumed_samples > 0) note += ", resumed after " + std::to_string(render.resumed_samples);
     if (render.outcome == truth::PathOutcome::stopped)
         note += "; stopped, the same command goes on from " + checkpoint;
     if (render.outcome == truth::PathOutcome::out_of_time)
         note += "; time is up, the same command goes on from " + checkpoint;
     return note;
+}
+
+/// An error in one process of a team ends all: it is said here because nothing after the abort is.
+truth::PathRender render_with(truth::Team& team, const Job& job, const truth::PathRenderOptions& options) {
+    try {
+        return truth::render_path(job.scene, job.camera, options, team);
+    } catch (const Error& error) {
+        if (team.size() > 1) {
+            std::fprintf(stderr, "candela: error: %s\n", error.line().c_str());
+            team.abort(static_cast<int>(error.fault()));
+        }
+        throw;
+    }
 }
 
 }  // namespace
@@ -256,7 +279,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     const bool terminal = isatty(STDERR_FILENO) != 0 && team->rank() == 0;
     if (terminal) o.progress = print_progress;
 
-    truth::PathRender render = truth::render_path(job.scene, job.camera, o, *team);
+    truth::PathRender render = render_with(*team, job, o);
     if (terminal) std::fprintf(stderr, "\r%78s\r", "");
     PathModePicture out;
     out.writes = team->rank() == 0;
@@ -273,6 +296,11 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     if (!o.path.shadows) out.info.settings["light"] = "direct only, without shadows";
     if (path.furnace) out.info.settings["light"] = "furnace";
     if (o.aovs) out.info.layers = extra_layers(render.film);
+    if (render.replaced_checkpoint)
+        job.diagnostics.warn("a checkpoint of another job, or a damaged one, was replaced");
+    const auto empty = std::count_if(render.film.tiles.begin(), render.film.tiles.end(),
+                                     [](const Film::Tile& tile) { return tile.samples == 0; });
+    if (empty > 0) job.diagnostics.warn("stopped early: some tiles have no samples and are black");
     out.note = note_of(render, out.error, o.checkpoint.string());
     if (out.finished) out.checkpoint = o.checkpoint.string();
     return out;

@@ -1,5 +1,7 @@
 #include "picture_files.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -170,6 +172,10 @@ void check_outputs(const PictureFileOptions& options) {
         if (!folder.empty() && !std::filesystem::is_directory(folder)) {
             throw input_error("no such folder", folder.string(), "make it first");
         }
+        const std::string into = folder.empty() ? "." : folder.string();
+        if (access(into.c_str(), W_OK) != 0)
+            throw input_error("nothing can be written into this folder", into);
+        if (std::filesystem::is_directory(file)) throw input_error("is a folder, not a picture", file);
     }
     const auto known = aov_names();
     for (const std::string& aov : options.aovs) {

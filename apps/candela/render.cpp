@@ -72,7 +72,10 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
 void check_mode(const RenderOptions& options) {
     if (options.mode == "path") return;
     if (any_path_option(options.path)) {
-        throw Error(Fault::usage, "an option of the path tracer", "--mode " + options.mode, "--mode path");
+        throw Error(Fault::usage,
+                    "--time-limit, --target-error, --max-bounces, --direct-only, --shadows, --furnace, "
+                    "--depth-of-field, --focus-m and --checkpoint are the path tracer's",
+                    "--mode " + options.mode, "--mode path");
     }
     if (options.samples.value_or(1) > 4096) throw Error(Fault::usage, "more than 4096 samples", "--spp");
     for (const std::string& aov : options.files.aovs) {
@@ -87,7 +90,8 @@ int render(RenderOptions options) {
     if (options.files.outputs.empty()) options.files.outputs = {"out.png"};
     check_outputs(options.files);
     check_mode(options);
-    Job job = prepare(options.job, options.mode == "path" ? EmissiveSurfaces::light : EmissiveSurfaces::show);
+    Job job = prepare(options.job);
+    if (options.mode != "path") warn_of_dark_emission(job);
     Seconds seconds{{"load", seconds_since(start)}};
 
     PictureInfo info;
@@ -97,6 +101,7 @@ int render(RenderOptions options) {
     std::string note;
     std::string finished_checkpoint;
     std::optional<double> error;
+    bool finished = true;
     if (options.mode == "path") {
         options.path.samples = options.samples;
         const auto draw = std::chrono::steady_clock::now();
@@ -108,6 +113,7 @@ int render(RenderOptions options) {
         note = "; " + picture.note;
         error = picture.error;
         finished_checkpoint = picture.checkpoint;
+        finished = picture.finished;
     } else {
         still = render_frame_still(options, job, info, seconds);
     }
@@ -126,6 +132,7 @@ int render(RenderOptions options) {
     if (options.job.json) {
         nlohmann::json out = result_json(options, job, still, info, seconds);
         if (error) out["estimated_relative_error"] = *error;
+        out["finished"] = finished;
         std::printf("%s\n", out.dump(2).c_str());
     } else {
         for (const std::string& file : options.files.outputs) {

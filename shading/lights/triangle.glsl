@@ -23,7 +23,7 @@ FN vec3 perpendicular_towards(vec3 from, vec3 to) {
 // Unit direction within the spherical triangle of unit directions a, b, c (not degenerate), uniform in solid angle: Arvo
 // 1995 ("Stratified Sampling of Spherical Triangles"). The first number cuts off a sub-triangle of that share of the
 // area by moving c along the side from a; the second moves from b towards the moved corner.
-FN vec3 sample_spherical_triangle(vec3 a, vec3 b, vec3 c, vec2 u) {
+FN vec3 sample_spherical_triangle_ordered(vec3 a, vec3 b, vec3 c, vec2 u) {
     vec3 side_b = perpendicular_towards(a, b);
     vec3 side_c = perpendicular_towards(a, c);
     float cos_alpha = clamp(dot(side_b, side_c), -1.0f, 1.0f);
@@ -40,6 +40,17 @@ FN vec3 sample_spherical_triangle(vec3 a, vec3 b, vec3 c, vec2 u) {
     vec3 moved = cos_moved * a + sqrt(max(1.0f - cos_moved * cos_moved, 0.0f)) * side_c;
     float z = 1.0f - u.y * (1.0f - dot(moved, b));
     return normalize(z * b + sqrt(max(1.0f - z * z, 0.0f)) * perpendicular_towards(b, moved));
+}
+
+// The same for any order of the corners. In single precision thin triangles come out uniform only when the moved corner
+// runs along the shortest side: an angle between two long sides has no digits.
+FN vec3 sample_spherical_triangle(vec3 a, vec3 b, vec3 c, vec2 u) {
+    float ab = dot(a - b, a - b);
+    float bc = dot(b - c, b - c);
+    float ca = dot(c - a, c - a);
+    if (ab < bc && ab < ca) return sample_spherical_triangle_ordered(b, c, a, u);
+    if (bc < ca) return sample_spherical_triangle_ordered(c, a, b, u);
+    return sample_spherical_triangle_ordered(a, b, c, u);
 }
 
 CANDELA_SHADING_END

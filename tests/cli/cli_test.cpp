@@ -160,7 +160,14 @@ TEST(CommandLine, AnUnlitSceneGetsTheStudioAndSaysSo) {
         run_candela("render " + scene_file("sphere_grid") + " --size 64x36 -o " + (out / "a.exr"));
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NE(run.err.find("studio"), std::string::npos) << run.err;
-    EXPECT_GT(center_red(candela::io::read_exr(out / "a.exr")), 0.0f);
+    const float lit = center_red(candela::io::read_exr(out / "a.exr"));
+    EXPECT_GT(lit, 0.0f);
+    // The options of an environment are the studio's too.
+    ASSERT_EQ(run_candela("render " + scene_file("sphere_grid") + " --env-scale 3 --size 64x36 -o " +
+                          (out / "b.exr"))
+                  .exit_code,
+              0);
+    EXPECT_NEAR(center_red(candela::io::read_exr(out / "b.exr")) / lit, 3.0f, 0.03f);
 }
 
 TEST(CommandLine, EnvironmentsAreBackgroundUnlessHidden) {

@@ -15,7 +15,7 @@ namespace {
 std::string room() {
     static const TemporaryFolder folder;
     if (!std::filesystem::exists(folder / "cornell_room.glb")) scenes::write_room(folder.path());
-    return (folder / "cornell_room.glb") + " --ev100 5 ";
+    return (folder / "cornell_room.glb") + " --env none --ev100 5 ";
 }
 
 bool have_mpirun() {
@@ -69,6 +69,7 @@ TEST(PathMode, TimeLimitWritesWhatThereIsAndTheSameCommandGoesOn) {
         "render " + room() + "--mode path --spp 8 --size 128x128 -o " + (out / "a.exr");
     const Outcome first = run_candela(command + " --time-limit 0.000001");
     ASSERT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.err.find("black"), std::string::npos) << "every tile has something: " << first.err;
     EXPECT_NE(first.err.find("goes on from"), std::string::npos) << first.err;
     EXPECT_TRUE(std::filesystem::exists(out / "a.exr.part"));
     EXPECT_EQ(run_candela(command).exit_code, 0);
@@ -77,6 +78,26 @@ TEST(PathMode, TimeLimitWritesWhatThereIsAndTheSameCommandGoesOn) {
                   .exit_code,
               0);
     EXPECT_EQ(slurp(out / "a.exr"), slurp(out / "b.exr"));
+}
+
+TEST(PathMode, AFileThatIsNoCheckpointIsLeftAlone) {
+    const TemporaryFolder out;
+    std::ofstream(out / "notes.txt") << "mine";
+    const Outcome run = run_candela("render " + room() + "--mode path --spp 1 --size 16x16 --checkpoint " +
+                                    (out / "notes.txt") + " -o " + (out / "a.png"));
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("notes.txt: is there already and is no checkpoint"), std::string::npos) << run.err;
+    EXPECT_EQ(slurp(out / "notes.txt"), "mine");
+}
+
+TEST(PathMode, NumbersThatAreNoneAreUsage) {
+    for (const char* option :
+         {"--env-scale nan", "--env-scale -1", "--env-lux 0", "--env-lux 1e30", "--light-scale nan",
+          "--look-from nan,1,1", "--env-rotate inf", "--time nan"}) {
+        const Outcome run = run_candela("render " + room() + option + " -o x.png");
+        EXPECT_EQ(run.exit_code, 2) << option;
+        EXPECT_EQ(lines(run.err), 1u) << run.err;
+    }
 }
 
 TEST(PathMode, OptionsThatDoNotFitAreUsage) {

@@ -216,7 +216,7 @@ TEST(Ibl, WeightsAreTheAlbedosOfTheSameModel) {
             const float NoV = 0.05f + 0.95f * u();
             const vec3 v = at_cosine(NoV);
             const vec4 dfg = integrate_dfg(NoV, s.perceptual_roughness, 1024);
-            const vec3 weight = ibl_diffuse_weight(s, t, dfg) + ibl_specular_weight(s, t, dfg);
+            const vec3 weight = ibl_diffuse_weight(s, t, dfg) + ibl_specular_weight(s, t, NoV, dfg);
             EXPECT_LT(distance(ibl_diffuse_weight(s, t, dfg), ibl_diffuse_weight(s, t, NoV, dfg)), 1e-6f);
             for (int c = 0; c < 3; ++c) {
                 const double albedo = integrate_hemisphere<double>(

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "candela/scene/error.hpp"
 #include "candela/truth/checkpoint.hpp"
 #include "common/files.hpp"
 #include "trace.hpp"
@@ -101,7 +102,7 @@ TEST(RenderPath, AKilledPictureGoesOnToTheSameBytes) {
     waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
     truth::Film so_far(o.width, o.height, {});
-    ASSERT_TRUE(truth::load_checkpoint(o.checkpoint, o.fingerprint, so_far));
+    ASSERT_EQ(truth::load_checkpoint(o.checkpoint, o.fingerprint, so_far), truth::CheckpointState::loaded);
     EXPECT_GT(so_far.tiles[0].samples, 0u);
     EXPECT_LT(so_far.tiles.back().samples, 10u);
     const truth::PathRender resumed = render(o);
@@ -117,21 +118,23 @@ TEST(RenderPath, ACheckpointOfSomethingElseIsNotUsed) {
     film.tiles[0].blocks = 3;
     truth::save_checkpoint(file, film, 42);
     truth::Film out(40, 40, {});
-    EXPECT_TRUE(truth::load_checkpoint(file, 42, out));
+    EXPECT_EQ(truth::load_checkpoint(file, 42, out), truth::CheckpointState::loaded);
     EXPECT_EQ(out.sums[7], 5.0);
     EXPECT_EQ(out.tiles[0].blocks, 3u);
     truth::Film other(40, 40, {});
-    EXPECT_FALSE(truth::load_checkpoint(file, 43, other)) << "another job";
+    EXPECT_EQ(truth::load_checkpoint(file, 43, other), truth::CheckpointState::other) << "another job";
     truth::Film wide(41, 40, {});
-    EXPECT_FALSE(truth::load_checkpoint(file, 42, wide)) << "another size";
-    EXPECT_FALSE(truth::load_checkpoint(folder / "absent", 42, other));
+    EXPECT_EQ(truth::load_checkpoint(file, 42, wide), truth::CheckpointState::other) << "another size";
+    EXPECT_EQ(truth::load_checkpoint(folder / "absent", 42, other), truth::CheckpointState::absent);
     std::string bytes = slurp(file);
     bytes[bytes.size() / 2] ^= 1;
     std::ofstream(file, std::ios::binary) << bytes;
-    EXPECT_FALSE(truth::load_checkpoint(file, 42, other)) << "a flipped bit";
+    EXPECT_EQ(truth::load_checkpoint(file, 42, other), truth::CheckpointState::other) << "a flipped bit";
     std::ofstream(file, std::ios::binary) << bytes.substr(0, 100);
-    EXPECT_FALSE(truth::load_checkpoint(file, 42, other)) << "truncated";
+    EXPECT_EQ(truth::load_checkpoint(file, 42, other), truth::CheckpointState::other) << "truncated";
     EXPECT_EQ(other.sums[7], 0.0);
+    std::ofstream(file, std::ios::binary) << "somebody's notes";
+    EXPECT_THROW((void)truth::load_checkpoint(file, 42, other), Error) << "must not be replaced";
 }
 
 TEST(RenderPath, TilesStopWhenTheirErrorIsReached) {
@@ -151,6 +154,39 @@ TEST(RenderPath, TilesStopWhenTheirErrorIsReached) {
     }
     EXPECT_LT(fewest, most) << "easy tiles stop first";
     EXPECT_LT(most, 4096u);
+}
+
+TEST(RenderPath, TilesAreJudgedAtTheSameSamplesWhereverItWasInterrupted) {
+    const TemporaryFolder folder;
+    truth::PathRenderOptions o = small_options();
+    o.width = o.height = 32;  // one tile
+    o.samples = 256;
+    o.target_error = 0.3;
+    const truth::PathRender whole = render(o);
+    EXPECT_LT(whole.film.tiles[0].samples, 256u);
+    o.checkpoint = folder / "work.part";
+    o.time_limit_s = 1e-9;  // one block at a time
+    for (int start = 0; start < 100; ++start) {
+        const truth::PathRender part = render(o);
+        if (part.outcome == truth::PathOutcome::finished) {
+            EXPECT_TRUE(same(part.film, whole.film)) << part.film.tiles[0].samples << " samples";
+            return;
+        }
+    }
+    FAIL() << "it never ended";
+}
+
+TEST(RenderPath, ABlackPictureHasNoError) {
+    truth::PathRenderOptions o = small_options();
+    o.target_error = 0.01;
+    o.samples = 1u << 20;
+    o.path.max_bounces = 0;
+    const auto team = truth::join_team();
+    scene::Scene dark;
+    place(dark, sphere(0.5f), grey(0.5f));
+    const truth::PathRender r = truth::render_path(dark, kCamera, o, *team);
+    EXPECT_EQ(r.film.picture_error(0.0), 0.0);
+    EXPECT_EQ(r.film.tiles[0].samples, 32u) << "the first judgement ends it";
 }
 
 TEST(RenderPath, TheEstimatedErrorIsTheTrueOne) {

@@ -28,9 +28,10 @@ vec3 random_direction(std::mt19937& random) {
 double cosine_integral(const vec3 (&d)[3], const vec3& n) {
     double sum = 0.0;
     for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 a(d[i]);
-        const glm::dvec3 b(d[(i + 1) % 3]);
-        sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), glm::dvec3(n));
+        const glm::dvec3 a = glm::normalize(glm::dvec3(d[i]));
+        const glm::dvec3 b = glm::normalize(glm::dvec3(d[(i + 1) % 3]));
+        sum += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) *
+               glm::dot(glm::normalize(glm::cross(a, b)), glm::dvec3(n));
     }
     return std::abs(0.5 * sum);
 }
@@ -74,6 +75,25 @@ TEST(Triangle, DirectionsAreUniformWithinIt) {
             sum += static_cast<double>(l.z);
         }
         EXPECT_NEAR(sum / count * solid_angle / cosine_integral(d, n), 1.0, 2e-3) << trial;
+    }
+}
+
+TEST(Triangle, ThinOnesAreUniformWhicheverCornerComesFirst) {
+    // A strip of 6 m x 4 mm, 1 m above: half an LED profile.
+    const vec3 corner[3] = {glm::normalize(vec3(-3, 0, 1)), glm::normalize(vec3(3, 0, 1)),
+                            glm::normalize(vec3(-3, 0.004f, 1))};
+    const double solid_angle = shading::triangle_solid_angle(corner[0], corner[1], corner[2]);
+    const double expected = cosine_integral(corner, {0, 0, 1});
+    for (int first = 0; first < 3; ++first) {
+        double sum = 0.0;
+        constexpr unsigned count = 1u << 14;
+        for (unsigned i = 0; i < count; ++i) {
+            sum += static_cast<double>(
+                shading::sample_spherical_triangle(corner[first], corner[(first + 1) % 3],
+                                                   corner[(first + 2) % 3], shading::hammersley(i, count))
+                    .z);
+        }
+        EXPECT_NEAR(sum / count * solid_angle / expected, 1.0, 5e-3) << first;
     }
 }
 
@@ -165,7 +185,7 @@ TEST(EnvironmentLight, ItsDensityIntegratesToOneAndIsThatOfItsDraws) {
 TEST(BsdfSampling, TheMeanWeightIsTheDirectionalAlbedo) {
     const truth::AlbedoTable table(false);
     const vec3 n(0, 0, 1);
-    for (int kind = 0; kind < 4; ++kind) {
+    for (int kind = 0; kind < 5; ++kind) {
         for (const float NoV : {0.1f, 0.5f, 0.95f}) {
             shading::Surface s{};
             s.base_color = vec3(0.8f);
@@ -174,19 +194,22 @@ TEST(BsdfSampling, TheMeanWeightIsTheDirectionalAlbedo) {
             s.dielectric_f0 = vec3(0.04f);
             s.dielectric_f90 = vec3(1.0f);
             s.anisotropy = kind == 1 ? 0.6f : 0.0f;
-            s.coat = kind == 2 ? 1.0f : 0.0f;
-            s.coat_perceptual_roughness = 0.3f;
+            s.coat = kind == 2 || kind == 4 ? 1.0f : 0.0f;
+            s.coat_perceptual_roughness = kind == 4 ? 0.7f : 0.3f;
             s.sheen_color = vec3(kind == 3 ? 0.9f : 0.0f);
             s.sheen_perceptual_roughness = 0.4f;
             const vec3 v(std::sqrt(1.0f - NoV * NoV), 0.0f, NoV);
+            // A normal map tilts the base under its coat, or the coat over its base.
+            const vec3 coat_n = kind == 4 ? glm::normalize(vec3(0.25f, 0.1f, 1.0f)) : n;
             const glm::vec4 dfg = table.read(NoV, s.perceptual_roughness);
             const glm::vec4 coat_dfg = table.read(NoV, s.coat_perceptual_roughness);
-            const shading::BsdfLobes lobes = shading::bsdf_lobes(s, best(), NoV, NoV, dfg, coat_dfg);
+            const shading::BsdfLobes lobes =
+                shading::bsdf_lobes(s, best(), NoV, glm::dot(coat_n, v), dfg, coat_dfg);
             EXPECT_NEAR(lobes.diffuse + lobes.specular + lobes.sheen + lobes.coat, 1.0f, 1e-5f);
             const vec3 t(1, 0, 0);
             const vec3 b(0, 1, 0);
             const auto f = [&](const vec3& l) {
-                return l.z > 0.0f ? shading::evaluate_layered(s, best(), n, t, b, n, v, l, dfg).y * l.z
+                return l.z > 0.0f ? shading::evaluate_layered(s, best(), n, t, b, coat_n, v, l, dfg).y * l.z
                                   : 0.0f;
             };
             double drawn = 0.0;
@@ -196,12 +219,13 @@ TEST(BsdfSampling, TheMeanWeightIsTheDirectionalAlbedo) {
             for (unsigned i = 0; i < count; ++i) {
                 const vec2 u = shading::hammersley(i, count);
                 const vec2 w = shading::sobol_owen_pair(i, 3, 17);
-                const vec3 l = shading::sample_bsdf(lobes, s, n, t, b, n, v, w.x, u);
-                const float pdf = shading::pdf_bsdf(lobes, s, n, t, b, n, v, l);
+                const vec3 l = shading::sample_bsdf(lobes, s, n, t, b, coat_n, v, w.x, u);
+                const float pdf = shading::pdf_bsdf(lobes, s, n, t, b, coat_n, v, l);
                 if (pdf > 0.0f) drawn += static_cast<double>(f(l) / pdf);
                 const vec3 h = shading::sample_uniform_hemisphere(u);
                 uniform += static_cast<double>(f(h)) * 2.0 * kPi;
-                density += static_cast<double>(shading::pdf_bsdf(lobes, s, n, t, b, n, v, h)) * 2.0 * kPi;
+                density +=
+                    static_cast<double>(shading::pdf_bsdf(lobes, s, n, t, b, coat_n, v, h)) * 2.0 * kPi;
             }
             EXPECT_NEAR(drawn / uniform, 1.0, 0.01) << "kind " << kind << ", NoV " << NoV;
             EXPECT_LT(density / count, 1.01) << "kind " << kind << ", NoV " << NoV;

@@ -208,7 +208,7 @@ void add_light(const JsonView& source, const Node& node, float light_scale, scen
     std::array<float, 3> color{1.0f, 1.0f, 1.0f};
     source["color"].floats(color);
     light.color = glm::max(glm::vec3(color[0], color[1], color[2]), glm::vec3(0.0f));
-    light.intensity = std::max(source["intensity"].float_or(1.0f), 0.0f) * light_scale;
+    light.intensity = std::clamp(source["intensity"].float_or(1.0f) * light_scale, 0.0f, 1e15f);
     if (const float range_m = source["range"].float_or(0.0f); range_m > 0.0f) light.range_m = range_m;
     const JsonView spot = source["spot"];
     light.inner_cone_rad = std::clamp(spot["innerConeAngle"].float_or(0.0f), 0.0f, 1.5707963f);

@@ -76,8 +76,10 @@ class MaterialReader {
 
     void extensions(const JsonView& e, scene::Material& out) const {
         if (!e.exists()) return;
-        out.emissive_nit *=
-            std::max(e["KHR_materials_emissive_strength"]["emissiveStrength"].float_or(1.0f), 0.0f);
+        // The sun's disc has 1.6e9 cd/m^2; what is far beyond overflows when it is squared.
+        constexpr float brightest_nit = 1e15f;
+        out.emissive_nit *= std::clamp(
+            e["KHR_materials_emissive_strength"]["emissiveStrength"].float_or(1.0f), 0.0f, brightest_nit);
         out.unlit = e["KHR_materials_unlit"].exists();
         out.ior = ior(e["KHR_materials_ior"]["ior"]);
         const JsonView specular = e["KHR_materials_specular"];

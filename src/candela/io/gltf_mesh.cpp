@@ -174,6 +174,10 @@ void read_attributes(const Attributes& attributes, scene::Primitive& p, SourcePr
     if (const auto colors = attributes.read("COLOR_0")) {
         p.colors = as_vec4(*colors, attributes.where("COLOR_0"), 1.0f);
         expect_count(p.colors, vertices, attributes.where("COLOR_0"));
+        // Colours are multipliers of an albedo: above 1 a surface would make light.
+        for (glm::vec4& c : p.colors) {
+            for (int i = 0; i < 4; ++i) c[i] = std::isfinite(c[i]) ? std::clamp(c[i], 0.0f, 1.0f) : 1.0f;
+        }
     }
 }
 

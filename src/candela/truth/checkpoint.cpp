@@ -1,9 +1,10 @@
 #include "candela/truth/checkpoint.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <vector>
 
-#include "candela/io/image_read.hpp"
 #include "candela/io/image_write.hpp"
 #include "candela/scene/error.hpp"
 
@@ -23,9 +24,9 @@ struct Header {
 std::uint64_t digest_of(const std::byte* bytes, std::size_t count) {
     // FNV-1a over 8-byte words: a damaged file is noticed, a malicious one is not the point.
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (std::size_t i = 0; i + 8 <= count; i += 8) {
+    for (std::size_t i = 0; i < count; i += 8) {
         std::uint64_t word = 0;
-        std::memcpy(&word, bytes + i, 8);
+        std::memcpy(&word, bytes + i, std::min<std::size_t>(8, count - i));
         hash = (hash ^ word) * 0x100000001b3u;
     }
     return hash ^ count;
@@ -66,30 +67,30 @@ void save_checkpoint(const std::filesystem::path& file, const Film& film, std::u
     io::write_file(file, bytes);
 }
 
-bool load_checkpoint(const std::filesystem::path& file, std::uint64_t fingerprint, Film& film) {
+CheckpointState load_checkpoint(const std::filesystem::path& file, std::uint64_t fingerprint, Film& film) {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) return false;
-    std::vector<std::byte> bytes;
-    try {
-        bytes = io::read_file(file, sizeof(Header) + body_bytes(film));
-    } catch (const Error&) {
-        return false;
-    }
-    if (bytes.size() != sizeof(Header) + body_bytes(film)) return false;
-    Header header;
+    if (!std::filesystem::exists(file, ignored)) return CheckpointState::absent;
     const Header wanted;
-    std::memcpy(&header, bytes.data(), sizeof(header));
-    const bool same = std::memcmp(header.magic, wanted.magic, sizeof(header.magic)) == 0 &&
-                      header.fingerprint == fingerprint && header.width == film.width() &&
+    Header header{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(&header), sizeof(header));
+    if (!in || std::memcmp(header.magic, wanted.magic, sizeof(header.magic)) != 0) {
+        throw input_error("is there already and is no checkpoint", file.string(),
+                          "--checkpoint FILE for another name, or remove it");
+    }
+    const bool same = header.fingerprint == fingerprint && header.width == film.width() &&
                       header.height == film.height() && header.channels == film.layout().channels() &&
-                      header.tiles == film.tile_count() &&
-                      header.digest == digest_of(bytes.data() + sizeof(Header), body_bytes(film));
-    if (!same) return false;
-    const std::byte* at = bytes.data() + sizeof(Header);
+                      header.tiles == film.tile_count();
+    std::vector<std::byte> body(body_bytes(film));
+    if (!same || !in.read(reinterpret_cast<char*>(body.data()), static_cast<std::streamsize>(body.size())) ||
+        header.digest != digest_of(body.data(), body.size())) {
+        return CheckpointState::other;
+    }
+    const std::byte* at = body.data();
     at = get(at, film.sums);
     at = get(at, film.ids);
     get(at, film.tiles);
-    return true;
+    return CheckpointState::loaded;
 }
 
 }  // namespace candela::truth

@@ -74,7 +74,8 @@ double Film::squared_error(std::uint32_t tile, double floor_nit) const {
             const double* p = pixel(x, y);
             const double mean = luminance(p) / n;
             const double variance = std::max(p[FilmLayout::squared] / n - mean * mean, 0.0) / (n - 1.0);
-            sum += variance / (mean * mean + floor_nit * floor_nit);
+            // Black without noise is right, whatever the floor.
+            if (variance > 0.0) sum += variance / (mean * mean + floor_nit * floor_nit);
         }
     }
     return sum;

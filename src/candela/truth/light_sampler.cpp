@@ -205,7 +205,9 @@ float LightSampler::pdf_triangle(const Ray& ray, const glm::vec3& normal, const 
     const float probability = tree_.probability(ray.origin, normal, of_triangle[hit.triangle]);
     if (probability <= 0.0f) return 0.0f;
     const SeenTriangle seen(*geometry_, hit.part, hit.triangle, ray.origin);
-    const float pdf = seen.spherical() ? 1.0f / seen.solid_angle_sr : seen.area_pdf(ray.direction, hit.t);
+    const float pdf = seen.spherical()
+                          ? 1.0f / seen.solid_angle_sr
+                          : seen.area_pdf(ray.direction, seen.distance_m(ray.origin, ray.direction));
     return probability * pdf;
 }
 

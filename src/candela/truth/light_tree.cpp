@@ -87,10 +87,10 @@ float importance(const LightBounds& b, const glm::vec3& point, const glm::vec3& 
     const float cos_at_light = cos_difference(sin_x, cos_x, sin_box, cos_box);
     if (cos_at_light <= b.cos_emission - 1e-4f) return 0.0f;
 
-    // Surfaces shaded with mapped normals may see light from a little below: the floor keeps them unbiased.
     const float cos_receiver = -glm::dot(direction, normal);
     const float best_receiver = cos_difference(sine(cos_receiver), cos_receiver, sin_box, cos_box);
     if (best_receiver <= 0.0f) return 0.0f;
+    // The floor: a light seen edge-on must not become so rare that its weight explodes.
     return b.power * std::max(cos_at_light, 0.02f) * best_receiver / clamped2;
 }
 

@@ -91,11 +91,22 @@ PathIntegrator::PathIntegrator(const scene::Scene& scene, const PathOptions& opt
     if (!options.furnace) lights_.emplace(scene, geometry_, surfaces_);
 }
 
-bool PathIntegrator::next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const {
+glm::vec3 PathIntegrator::behind(const Ray& ray, const Hit& hit) const {
+    glm::vec3 corner[3];
+    geometry_.corners(hit.part, hit.triangle, corner);
+    const glm::vec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const float length = glm::length(n);
+    const glm::vec3 side = length > 0.0f && std::isfinite(length) ? n / length : ray.direction;
+    return offset_from_surface(ray.origin + ray.direction * hit.t,
+                               glm::dot(side, ray.direction) > 0.0f ? side : -side);
+}
+
+PathIntegrator::Next PathIntegrator::next_surface(Ray& ray, Hit& hit, const PathSampler& sampler,
+                                                  int bounce) const {
     const Ray start = ray;
     float walked_m = 0.0f;
     for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
-        if (!geometry_.intersect(ray, hit)) return false;
+        if (!geometry_.intersect(ray, hit)) return Next::sky;
         walked_m += hit.t;
         const bool passes =
             (bounce == 0 && surfaces_.culled(ray, hit)) ||
@@ -104,16 +115,11 @@ bool PathIntegrator::next_surface(Ray& ray, Hit& hit, const PathSampler& sampler
         if (!passes) {
             ray.origin = start.origin;
             hit.t = walked_m;
-            return true;
+            return Next::surface;
         }
-        glm::vec3 corner[3];
-        geometry_.corners(hit.part, hit.triangle, corner);
-        glm::vec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-        n = glm::normalize(glm::dot(n, ray.direction) > 0.0f ? n : -n);
-        const glm::vec3 p = ray.origin + ray.direction * hit.t;
-        ray.origin = offset_from_surface(p, n);
+        ray.origin = behind(ray, hit);
     }
-    return false;
+    return Next::lost;
 }
 
 float PathIntegrator::transmitted(const Ray& ray) const {
@@ -125,11 +131,7 @@ float PathIntegrator::transmitted(const Ray& ray) const {
         if (!geometry_.intersect(rest, hit)) return through;
         through *= surfaces_.transparency(hit);
         if (through <= 0.0f) return 0.0f;
-        glm::vec3 corner[3];
-        geometry_.corners(hit.part, hit.triangle, corner);
-        glm::vec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-        n = glm::normalize(glm::dot(n, rest.direction) > 0.0f ? n : -n);
-        rest.origin = offset_from_surface(rest.origin + rest.direction * hit.t, n);
+        rest.origin = behind(rest, hit);
         rest.t_max -= hit.t;
         if (rest.t_max <= 0.0f) return through;
     }
@@ -274,10 +276,9 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
     while (true) {
         Hit hit;
         const bool sees_through = walk.bounces > 0 && !options_.shadows;
-        if (sees_through || !next_surface(walk.ray, hit, sampler, walk.bounces)) {
-            add_environment(walk);
-            break;
-        }
+        const Next next = sees_through ? Next::sky : next_surface(walk.ray, hit, sampler, walk.bounces);
+        if (next == Next::sky) add_environment(walk);
+        if (next != Next::surface) break;
         Vertex vertex;
         vertex.point = surfaces_.read(walk.ray, hit);
         SurfacePoint& p = vertex.point;

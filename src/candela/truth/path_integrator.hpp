@@ -38,7 +38,7 @@ struct PathResult {
     std::uint32_t material_id = 0;                              ///< material + 1
 };
 
-/// Unbiased unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at
+/// Unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at
 /// each surface one draw each from the environment, the near lights, the directional lights and the material.
 /// May be used from several threads at once; the scene must outlive it.
 class PathIntegrator {
@@ -52,7 +52,10 @@ class PathIntegrator {
   private:
     struct Vertex;
     struct Walk;
-    [[nodiscard]] bool next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const;
+    enum class Next : std::uint8_t { surface, sky, lost };
+    [[nodiscard]] Next next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const;
+    /// Where a ray goes on that passes through its hit.
+    [[nodiscard]] glm::vec3 behind(const Ray& ray, const Hit& hit) const;
     /// Part of the light that gets through to `distance_m` along the ray: 0 behind anything opaque.
     [[nodiscard]] float transmitted(const Ray& ray) const;
     void shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse, glm::vec3& specular) const;

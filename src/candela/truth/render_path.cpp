@@ -46,10 +46,13 @@ class PathJob {
     [[nodiscard]] std::vector<std::uint32_t> tiles_wanting(std::uint32_t block) const;
     [[nodiscard]] bool interrupted();
     void share_tiles();
-    void compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums);
+    /// Adds a block's paths to `sums`; of the first block also returns what each pixel's first path met.
+    std::vector<glm::uvec2> compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums) const;
+    void keep_ids(std::uint32_t tile, const std::vector<glm::uvec2>& ids);
     void alone(std::uint32_t block);
     void together(std::uint32_t begin, std::uint32_t end);
-    void after_commit();
+    void after_commit(std::size_t tiles);
+    [[nodiscard]] bool at_round_end() const;
     void judge_tiles();
     [[nodiscard]] double floor_nit() const { return kErrorFloor * film_.median_luminance_nit(); }
 
@@ -63,6 +66,7 @@ class PathJob {
     Clock::time_point last_checkpoint_ = start_;
     Clock::time_point last_progress_ = start_;
     std::uint64_t committed_ = 0;  ///< tile blocks, by this run
+    bool replaced_ = false;
     std::mutex mutex_;
     std::exception_ptr error_;
 };
@@ -85,7 +89,8 @@ std::vector<std::uint32_t> PathJob::tiles_wanting(std::uint32_t block) const {
 
 bool PathJob::interrupted() {
     if (options_.stop && options_.stop->load()) outcome_ = PathOutcome::stopped;
-    if (options_.time_limit_s && seconds_since(start_) > *options_.time_limit_s)
+    // A picture with holes is none: time is up only when every tile has something.
+    if (options_.time_limit_s && first_block() > 0 && seconds_since(start_) > *options_.time_limit_s)
         outcome_ = PathOutcome::out_of_time;
     return outcome_ != PathOutcome::finished;
 }
@@ -97,7 +102,9 @@ void PathJob::share_tiles() {
     outcome_ = static_cast<PathOutcome>(outcome);
 }
 
-void PathJob::compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums) {
+std::vector<glm::uvec2> PathJob::compute(std::uint32_t tile, std::uint32_t block,
+                                         std::span<float> sums) const {
+    std::vector<glm::uvec2> ids;
     const Film::Rect r = film_.rect(tile);
     const std::size_t channels = film_.layout().channels();
     float* pixel = sums.data();
@@ -111,15 +118,25 @@ void PathJob::compute(std::uint32_t tile, std::uint32_t block, std::span<float> 
                 PathResult path = integrator_.trace(ray, sampler);
                 path.distance_m = rays_.depth_m(ray, path.distance_m);
                 film_.layout().add(path, pixel);
-                if (sample == 0)
-                    film_.ids[std::size_t{y} * film_.width() + x] = {path.object_id, path.material_id};
+                if (sample == 0) ids.emplace_back(path.object_id, path.material_id);
             }
         }
     }
+    return ids;
 }
 
-void PathJob::after_commit() {
-    ++committed_;
+void PathJob::keep_ids(std::uint32_t tile, const std::vector<glm::uvec2>& ids) {
+    if (ids.empty()) return;
+    const Film::Rect r = film_.rect(tile);
+    auto from = ids.begin();
+    for (std::uint32_t y = r.begin.y; y < r.end.y; ++y) {
+        for (std::uint32_t x = r.begin.x; x < r.end.x; ++x)
+            film_.ids[std::size_t{y} * film_.width() + x] = *from++;
+    }
+}
+
+void PathJob::after_commit(std::size_t tiles) {
+    committed_ += tiles;
     if (!options_.checkpoint.empty() && seconds_since(last_checkpoint_) > options_.checkpoint_every_s) {
         save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
         last_checkpoint_ = Clock::now();
@@ -157,11 +174,12 @@ void PathJob::alone(std::uint32_t block) {
                 if (enough) return;
                 const std::uint32_t tile = wanting[i];
                 std::vector<float> sums(film_.rect(tile).pixels() * film_.layout().channels());
-                compute(tile, block, sums);
+                const std::vector<glm::uvec2> ids = compute(tile, block, sums);
                 const std::lock_guard lock(mutex_);
                 try {
+                    keep_ids(tile, ids);
                     film_.commit(tile, sums, samples_of(block));
-                    after_commit();
+                    after_commit(1);
                 } catch (...) {
                     if (!error_) error_ = std::current_exception();
                     enough = true;
@@ -191,8 +209,10 @@ void PathJob::together(std::uint32_t begin, std::uint32_t end) {
             tbb::blocked_range<std::size_t>(0, wanting.size(), 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
                 for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    compute(wanting[i], own,
-                            std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i]));
+                    // Nobody reads the ids while this runs, and each tile has its own.
+                    keep_ids(wanting[i],
+                             compute(wanting[i], own,
+                                     std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i])));
                 }
             },
             tbb::simple_partitioner());
@@ -210,9 +230,16 @@ void PathJob::together(std::uint32_t begin, std::uint32_t end) {
             film_.commit(wanting[i], std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i]),
                          samples_of(block));
         }
-        after_commit();
+        after_commit(wanting.size());
     }
     (void)interrupted();
+}
+
+bool PathJob::at_round_end() const {
+    const std::uint32_t block = first_block();
+    const auto there = [&](const Film::Tile& tile) { return !tile.active || tile.blocks == block; };
+    return block > 0 && block % kRoundBlocks == 0 &&
+           std::all_of(film_.tiles.begin(), film_.tiles.end(), there);
 }
 
 void PathJob::judge_tiles() {
@@ -226,9 +253,14 @@ void PathJob::judge_tiles() {
 PathRender PathJob::run() {
     const bool keeps_film = team_.rank() == 0;
     std::uint32_t resumed = 0;
-    if (keeps_film && !options_.checkpoint.empty() &&
-        load_checkpoint(options_.checkpoint, options_.fingerprint, film_)) {
-        resumed = first_block() * Film::block_samples;
+    if (keeps_film && !options_.checkpoint.empty()) {
+        const CheckpointState state = load_checkpoint(options_.checkpoint, options_.fingerprint, film_);
+        replaced_ = state == CheckpointState::other;
+        if (state == CheckpointState::loaded) {
+            resumed = std::min(first_block() * Film::block_samples, options_.samples);
+            // It may have been interrupted between the end of a round and the judgement.
+            if (at_round_end()) judge_tiles();
+        }
     }
     share_tiles();
     const auto size = static_cast<std::uint32_t>(team_.size());
@@ -252,7 +284,7 @@ PathRender PathJob::run() {
     if (keeps_film && outcome_ != PathOutcome::finished && !options_.checkpoint.empty()) {
         save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
     }
-    return {std::move(film_), outcome_, resumed};
+    return {std::move(film_), outcome_, resumed, replaced_};
 }
 
 }  // namespace

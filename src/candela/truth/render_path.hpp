@@ -24,7 +24,7 @@ struct PathRenderOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t samples = 256;         ///< of each pixel, at most
-    std::optional<double> time_limit_s;  ///< stop at the next tile
+    std::optional<double> time_limit_s;  ///< stop at the next tile, once each has samples
     std::optional<double>
         target_error;  ///< tiles whose estimated relative error is below get no more samples
     std::uint32_t seed = 0;
@@ -45,6 +45,7 @@ struct PathRender {
     Film film;
     PathOutcome outcome = PathOutcome::finished;
     std::uint32_t resumed_samples = 0;  ///< that a checkpoint already had, of the tile with fewest
+    bool replaced_checkpoint = false;   ///< there was one of another job, or a damaged one
 };
 
 /// Floor of the relative error, as a part of the picture's mean luminance: errors in what is darker than this

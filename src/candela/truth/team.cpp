@@ -18,6 +18,7 @@ class Alone final : public Team {
     void send(std::span<const float>) override {}
     void receive(int, std::span<float>) override {}
     void broadcast(std::span<std::byte>) override {}
+    void abort(int) override {}
 };
 
 /// Open MPI, MPICH and Slurm's launchers each leave one of these.

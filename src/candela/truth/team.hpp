@@ -19,6 +19,9 @@ class Team {
     virtual void receive(int rank, std::span<float> sums) = 0;
     /// What rank 0 holds becomes what all hold.
     virtual void broadcast(std::span<std::byte> bytes) = 0;
+    /// Ends every process of the team with this exit code: after an error the others would wait for ever.
+    /// Does nothing in a team of one.
+    virtual void abort(int exit_code) = 0;
 };
 
 /// The team that this process was started in: of `mpirun`, when it was and the MPI module is installed beside

@@ -125,7 +125,7 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec3 radiance = environment_specular(g.normal, v, g.surface.perceptual_roughness);
     if (!kShadeLayers) {
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
-        lit.indirect_specular = ibl_specular_weight(g.surface, techniques(), dfg) * radiance * specular_visible;
+        lit.indirect_specular = ibl_specular_weight(g.surface, techniques(), NoV, dfg) * radiance * specular_visible;
         return;
     }
     float coat_NoV = max(dot(g.coat_normal, v), 1.0e-4);

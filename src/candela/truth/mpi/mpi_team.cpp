@@ -48,6 +48,8 @@ class MpiTeam final : public Team {
         });
     }
 
+    void abort(int exit_code) override { MPI_Abort(MPI_COMM_WORLD, exit_code); }
+
   private:
     /// MPI counts with int.
     template <class Transfer>
