@@ -33,6 +33,17 @@ FN float linear_from_rec709_oetf(float encoded) {
     return pow((encoded + 0.099f) / 1.099f, 1.0f / 0.45f);
 }
 
+// The sRGB curve for an 8 bit display, without logarithms: own fit in square roots, within 0.1 code values of 255 on [0,1].
+FN float srgb_from_linear_8bit(float linear_value) {
+    float root = sqrt(max(linear_value, 0.0f));
+    float curve = -0.07690595f + 0.8337335f * root + 0.2981216f * sqrt(root) - 0.05530729f * linear_value;
+    return linear_value <= 0.0031308f ? 12.92f * linear_value : curve;
+}
+FN vec3 srgb_from_linear_8bit(vec3 linear_value) {
+    return vec3(srgb_from_linear_8bit(linear_value.x), srgb_from_linear_8bit(linear_value.y),
+                srgb_from_linear_8bit(linear_value.z));
+}
+
 FN vec3 srgb_from_linear(vec3 linear_value) {
     return vec3(srgb_from_linear(linear_value.x), srgb_from_linear(linear_value.y),
                 srgb_from_linear(linear_value.z));

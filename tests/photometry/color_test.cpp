@@ -63,6 +63,13 @@ TEST(ColorTemperature, HotterIsBluer) {
     }
 }
 
+TEST(Transfer, TheFastSrgbCurveIsWithinATenthOfACode) {
+    for (int i = 0; i <= 100000; ++i) {
+        const float x = float(i) / 100000.0f;
+        ASSERT_NEAR(255.0f * srgb_from_linear_8bit(x), 255.0f * srgb_from_linear(x), 0.1f) << x;
+    }
+}
+
 TEST(Transfer, SrgbHasTheStandardsValues) {
     // IEC 61966-2-1: code 128 of 255 is 0.2158605 of linear light; 0.18 encodes to 0.4613561.
     EXPECT_NEAR(linear_from_srgb(128.0f / 255.0f), 0.2158605f, 1e-6f);

@@ -50,7 +50,8 @@ void accumulate(const std::vector<double>& weights, float* cdf) {
 
 }  // namespace
 
-EnvironmentDistribution environment_distribution(const scene::Environment& environment, float uniform) {
+EnvironmentDistribution environment_distribution(const scene::Environment& environment,
+                                                 const EnvironmentWeights& how) {
     EnvironmentDistribution d;
     d.width = static_cast<int>(environment.width);
     d.height = static_cast<int>(environment.height);
@@ -60,15 +61,31 @@ EnvironmentDistribution environment_distribution(const scene::Environment& envir
     d.column_cdf.resize(rows * (columns + 1));
 
     const BilinearLuminance luminance(environment);
-    double total = 0.0;
-    for (int row = 0; row < d.height; ++row) {
-        const double sr = static_cast<double>(shading::equirect_texel_solid_angle(
+    const auto texel_sr = [&](int row) {
+        return static_cast<double>(shading::equirect_texel_solid_angle(
             static_cast<unsigned>(row), environment.width, environment.height));
-        for (int column = 0; column < d.width; ++column) total += luminance.at(column, row) * sr;
-    }
-    // Mean luminance over the sphere, so that `uniform` is a share of the whole.
-    const double floor_nit = total > 0.0 ? total / (4.0 * 3.14159265358979) : 1.0;
-    const double share = total > 0.0 ? static_cast<double>(uniform) : 1.0;
+    };
+    const auto sum_over_sphere = [&](const auto& weight) {
+        double total = 0.0;
+        for (int row = 0; row < d.height; ++row) {
+            double of_row = 0.0;
+            for (int column = 0; column < d.width; ++column) of_row += weight(column, row);
+            total += of_row * texel_sr(row);
+        }
+        return total;
+    };
+    const double sphere_sr = 4.0 * 3.14159265358979;
+    const double mean_nit =
+        sum_over_sphere([&](int column, int row) { return luminance.at(column, row); }) / sphere_sr;
+    const double left_out_nit = how.compensated ? mean_nit : 0.0;
+    const auto weight = [&](int column, int row) {
+        return std::max(luminance.at(column, row) - left_out_nit, 0.0);
+    };
+    const double total = sum_over_sphere(weight);
+    // Against rounding: where nothing stands out from the mean, nothing is left to draw by.
+    const bool flat = !(total > 1e-6 * mean_nit * sphere_sr);
+    const double floor_nit = flat ? 1.0 : total / sphere_sr;
+    const double share = flat ? 1.0 : static_cast<double>(how.uniform);
 
     std::vector<double> row_weights(rows);
     std::vector<double> weights(columns);
@@ -76,11 +93,10 @@ EnvironmentDistribution environment_distribution(const scene::Environment& envir
         const auto r = static_cast<std::size_t>(row);
         for (int column = 0; column < d.width; ++column) {
             weights[static_cast<std::size_t>(column)] =
-                (1.0 - share) * luminance.at(column, row) + share * floor_nit;
+                (1.0 - share) * weight(column, row) + share * floor_nit;
             row_weights[r] += weights[static_cast<std::size_t>(column)];
         }
-        row_weights[r] *= static_cast<double>(shading::equirect_texel_solid_angle(
-            static_cast<unsigned>(row), environment.width, environment.height));
+        row_weights[r] *= texel_sr(row);
         accumulate(weights, d.column_cdf.data() + r * (columns + 1));
     }
     accumulate(row_weights, d.row_cdf.data());

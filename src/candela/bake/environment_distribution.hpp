@@ -15,10 +15,19 @@ struct EnvironmentDistribution {
     std::vector<float> column_cdf;  ///< height rows of width + 1, each from 0 to 1
 };
 
-/// Weights are luminance as bilinear reading sees it, integrated over each texel. A part of `uniform` in
-/// [0,1] goes to all directions alike, so that what the table underestimates still has a bounded weight; a
-/// black environment is uniform altogether.
+/// How the weights of texels are made of their light.
+struct EnvironmentWeights {
+    /// A part in [0,1] that goes to all directions alike, so that what the table underestimates still has a
+    /// bounded weight.
+    float uniform = 0.0f;
+    /// Leaves what is no brighter than the mean to the draws from the material, which find it anyway: MIS
+    /// compensation, Karlik et al. 2019. Needs a second way of drawing.
+    bool compensated = false;
+};
+
+/// Weights are luminance as bilinear reading sees it, integrated over each texel. An environment without
+/// contrast is uniform altogether.
 [[nodiscard]] EnvironmentDistribution environment_distribution(const scene::Environment& environment,
-                                                               float uniform = 0.0f);
+                                                               const EnvironmentWeights& weights = {});
 
 }  // namespace candela::bake

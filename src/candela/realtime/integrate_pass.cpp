@@ -23,7 +23,8 @@ gpu::Buffer upload_environment_distribution(const gpu::Device& device, gpu::Comm
                                             const scene::Environment* environment) {
     std::vector<float> table{0.0f};
     if (environment) {
-        bake::EnvironmentDistribution d = bake::environment_distribution(*environment, kUniformShare);
+        bake::EnvironmentDistribution d =
+            bake::environment_distribution(*environment, {.uniform = kUniformShare});
         table = std::move(d.row_cdf);
         table.insert(table.end(), d.column_cdf.begin(), d.column_cdf.end());
     }

@@ -29,7 +29,7 @@ Interval find(std::span<const float> cdf, float u) {
 
 EnvironmentLight::EnvironmentLight(const scene::Environment& environment)
     : environment_(&environment),
-      distribution_(bake::environment_distribution(environment)),
+      distribution_(bake::environment_distribution(environment, {.uniform = 0.0f, .compensated = true})),
       size_(static_cast<int>(environment.width), static_cast<int>(environment.height)) {
     lit_ = environment.scale > 0.0f &&
            std::any_of(environment.luminance_nit.begin(), environment.luminance_nit.end(),

@@ -15,5 +15,5 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, frame.size.xy))) return;
     vec3 exposed = texelFetch(light_image, pixel, 0).rgb * exposure_change;
-    imageStore(display_image, pixel, vec4(srgb_from_linear(tone_curve(kToneCurve, exposed)), 1.0));
+    imageStore(display_image, pixel, vec4(srgb_from_linear_8bit(tone_curve(kToneCurve, exposed)), 1.0));
 }
