@@ -1,33 +1,15 @@
 #include "candela/measure/dfg_lookup.hpp"
 
-#include <algorithm>
-
 #include "candela/measure/numerics.hpp"
 
 namespace candela::measure {
 
 using namespace shading;
 
-DfgLookup::DfgLookup(DfgKind kind) {
-    for (uint y = 0; y < uint(kDfgSize); ++y) {
-        for (uint x = 0; x < uint(kDfgSize); ++x) {
-            const vec2 at = dfg_parameters(x, y);
-            texels_.push_back(kind == DfgKind::smith_correlated
-                                  ? integrate_ggx_albedo(at.x, at.y, kDfgSamples)
-                                  : integrate_ggx_albedo_ue4(at.x, at.y, kDfgSamples));
-        }
-    }
-}
+DfgLookup::DfgLookup(DfgKind kind) : table_(kind == DfgKind::ue4_schlick_smith) {}
 
 vec2 DfgLookup::read(float NoV, float perceptual_roughness) const {
-    const vec2 at = dfg_uv(NoV, perceptual_roughness) * float(kDfgSize) - vec2(0.5f);
-    const int x = std::clamp(int(at.x), 0, kDfgSize - 2);
-    const int y = std::clamp(int(at.y), 0, kDfgSize - 2);
-    const vec2 f = at - vec2(float(x), float(y));
-    const auto texel = [&](int dx, int dy) {
-        return texels_[std::size_t(y + dy) * std::size_t(kDfgSize) + std::size_t(x + dx)];
-    };
-    return mix(mix(texel(0, 0), texel(1, 0), f.x), mix(texel(0, 1), texel(1, 1), f.x), f.y);
+    return vec2(table_.read(NoV, perceptual_roughness));
 }
 
 glm::dvec4 dfg_truth(float NoV, float perceptual_roughness, std::uint32_t samples) {

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <vector>
-
+#include "candela/truth/albedo_table.hpp"
 #include "shading/dfg.glsl"
 
 namespace candela::measure {
 
 enum class DfgKind : std::uint8_t { smith_correlated, ue4_schlick_smith };
 
-/// The first two channels of the table that the frame reads (bake/dfg_table.cpp), on the CPU: scale of f0 and
-/// bias.
+/// The first two channels of the table that the frame reads (bake/dfg_table.cpp) and the path tracer shares:
+/// scale of f0 and bias.
 class DfgLookup {
   public:
     explicit DfgLookup(DfgKind kind);
@@ -18,7 +17,7 @@ class DfgLookup {
     [[nodiscard]] glm::vec2 read(float NoV, float perceptual_roughness) const;
 
   private:
-    std::vector<glm::vec2> texels_;
+    truth::AlbedoTable table_;
 };
 
 /// Scale and bias of both models by `samples` visible normals drawn independently of the table's quadrature,

@@ -8,12 +8,6 @@
 #include "shading/dfg.glsl"
 
 namespace candela::truth {
-namespace {
-
-/// As bake/dfg_table.cpp: real time and truth divide by the same numbers.
-constexpr std::uint32_t kSamples = 256;
-
-}  // namespace
 
 AlbedoTable::AlbedoTable(bool ue4)
     : texels_(static_cast<std::size_t>(shading::kDfgSize) * static_cast<std::size_t>(shading::kDfgSize)) {
@@ -21,8 +15,9 @@ AlbedoTable::AlbedoTable(bool ue4)
     tbb::parallel_for(0u, size, [&](std::uint32_t y) {
         for (std::uint32_t x = 0; x < size; ++x) {
             const glm::vec2 p = shading::dfg_parameters(x, y);
-            texels_[std::size_t{y} * size + x] = ue4 ? shading::integrate_dfg_ue4(p.x, p.y, kSamples)
-                                                     : shading::integrate_dfg(p.x, p.y, kSamples);
+            texels_[std::size_t{y} * size + x] =
+                ue4 ? shading::integrate_dfg_ue4(p.x, p.y, shading::kDfgSamples)
+                    : shading::integrate_dfg(p.x, p.y, shading::kDfgSamples);
         }
     });
 }
