@@ -71,8 +71,10 @@ void add_geometry(const scene::Scene& scene, Digest& digest) {
 
 void add_light(const scene::Scene& scene, Digest& digest) {
     for (const scene::Light& l : scene.lights) {
-        digest.numbers(l.type, l.position, l.direction, l.color, l.intensity, l.range_m, l.inner_cone_rad,
-                       l.outer_cone_rad);
+        digest.numbers(l.type, l.position, l.direction, l.right, l.color, l.intensity, l.range_m,
+                       l.inner_cone_rad, l.outer_cone_rad, l.horizontal_angle_rad, l.vertical_angle_rad,
+                       l.angular_diameter_rad, l.limb_darkening, l.radius_m, l.half_width_m, l.half_height_m,
+                       l.two_sided, l.visible, l.casts_shadow, l.profile, l.image);
     }
     if (!scene.environment) return;
     const scene::Environment& e = *scene.environment;

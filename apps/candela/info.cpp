@@ -60,19 +60,9 @@ float illuminance_at_1m_lx(const scene::Light& light) {
 
 json light_json(const scene::Light& light) {
     json out{{"name", light.name},
+             {"type", scene::name_of(light.type)},
              {"color", {light.color.x, light.color.y, light.color.z}},
              {"illuminance_at_1m_lx", illuminance_at_1m_lx(light)}};
-    switch (light.type) {
-        case scene::LightType::point:
-            out["type"] = "point";
-            break;
-        case scene::LightType::spot:
-            out["type"] = "spot";
-            break;
-        case scene::LightType::directional:
-            out["type"] = "directional";
-            break;
-    }
     out[light.type == scene::LightType::directional ? "illuminance_lx" : "intensity_cd"] = light.intensity;
     if (light.type != scene::LightType::directional && !std::isinf(light.range_m))
         out["range_m"] = light.range_m;

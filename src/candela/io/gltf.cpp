@@ -217,6 +217,7 @@ void add_light(const JsonView& source, const Node& node, float light_scale, scen
     const glm::mat4 place = rigid_part(node.world);
     light.position = glm::vec3(place[3]);
     light.direction = -glm::vec3(place[2]);
+    light.right = glm::vec3(place[0]);
     scene.lights.push_back(light);
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace candela::scene {
+#include "candela/scene/index.hpp"
 
-inline constexpr std::uint32_t no_index = 0xffffffffu;
+namespace candela::scene {
 
 /// Decoded picture, 4 x 8 bit RGBA, row 0 on top, as stored in the file (no transfer function applied).
 struct Image {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "candela/scene/light.hpp"
 #include "candela/scene/material.hpp"
 
 /// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as
@@ -47,22 +48,6 @@ struct Instance {
     std::string name;               ///< of the node
     std::uint32_t mesh = no_index;  ///< index into Scene::meshes
     glm::mat4 world{1.0f};          ///< may mirror (negative determinant): winding then flips
-};
-
-enum class LightType : std::uint8_t { point, spot, directional };
-
-/// Punctual lights. `color * intensity` is what shines, per Rec.709 channel.
-struct Light {
-    std::string name;
-    LightType type = LightType::point;
-    glm::vec3 position{0.0f};                ///< m; point and spot
-    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit, the way the light travels; spot and directional
-    glm::vec3 color{1.0f};                   ///< linear Rec.709
-    float intensity =
-        1.0f;  ///< point, spot: luminous intensity in cd; directional: illuminance in lx at normal incidence
-    float range_m = std::numeric_limits<float>::infinity();  ///< window attenuation radius
-    float inner_cone_rad = 0.0f;                             ///< half angle
-    float outer_cone_rad = 0.785398163f;                     ///< half angle
 };
 
 enum class Projection : std::uint8_t { perspective, orthographic };
