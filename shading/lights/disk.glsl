@@ -113,6 +113,54 @@ FN float disk_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 direction, fl
     return elliptic_cone_projected_solid_angle(elliptic_cone_of_disk(n, to_center_m, direction, radius_m, height_m));
 }
 
+// Frostbite listing 10: the disk turned to face the receiver, with the horizon, times the cosine at the light. Exact only
+// for a disk that faces the receiver.
+FN float disk_projected_solid_angle_frostbite(vec3 n, vec3 to_center_m, vec3 direction, float radius_m) {
+    float distance2 = max(dot(to_center_m, to_center_m), 1.0e-30f);
+    vec3 l = to_center_m * inversesqrt(distance2);
+    float radius2 = square(radius_m);
+    return cone_projected_solid_angle(dot(n, l), radius2 / (radius2 + max(radius2, distance2))) *
+           saturate(-dot(direction, l));
+}
+
+// Coombe & Harris 2005 as in Frostbite listing 8: without the horizon.
+FN float disk_projected_solid_angle_no_horizon(vec3 n, vec3 to_center_m, vec3 direction, float radius_m) {
+    float distance2 = max(dot(to_center_m, to_center_m), 1.0e-30f);
+    vec3 l = to_center_m * inversesqrt(distance2);
+    return PI * saturate(-dot(direction, l)) * saturate(dot(n, l)) / (distance2 / square(radius_m) + 1.0f);
+}
+
+// Frostbite listing 14: beyond five times its diameter a light is a point.
+FN float disk_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, vec3 direction, float radius_m) {
+    float distance2 = dot(to_center_m, to_center_m);
+    if (distance2 < 100.0f * square(radius_m)) return disk_projected_solid_angle(n, to_center_m, direction, radius_m);
+    return PI * square(radius_m) * max(dot(n, to_center_m), 0.0f) * max(-dot(direction, to_center_m), 0.0f) /
+           square(distance2);
+}
+
+// From the receiver to the tip of the cone with this half angle whose rim is the disk's: Frostbite listing 9. The disk's
+// attenuation by angle is that of a spot light there (punctual.glsl).
+FN vec3 disk_to_virtual_apex(vec3 to_center_m, vec3 direction, float radius_m, float outer_cone_rad) {
+    return to_center_m - direction * (radius_m / tan(outer_cone_rad));
+}
+
+// The point of the light's plane, relative to the receiver, half way between the direction to the nearest point and the
+// receiver's normal, both turned into where they see each other: Frostbite Appendix E, listing E.2 ("simplified MRP").
+// away = -(the direction in which the light shines); height_m: of the receiver over the plane, > 0.
+FN vec3 plane_representative_point(vec3 n, vec3 away, float height_m) {
+    float clamped = 0.001f + saturate(-dot(n, away));
+    vec3 halfway = normalize(away + n * clamped) + normalize(n + away * clamped);
+    return halfway * (height_m / max(dot(halfway, away), 1.0e-6f));
+}
+
+// A direction for BRDFs that are evaluated once per light: Frostbite section 4.7.4, with the rectangle's point for a disk.
+FN vec3 disk_representative_direction(vec3 n, vec3 to_center_m, vec3 direction, float radius_m) {
+    float height_m = max(-dot(direction, to_center_m), 1.0e-6f);
+    vec3 offset = plane_representative_point(n, -direction, height_m) - to_center_m;
+    vec3 point = to_center_m + offset * min(1.0f, radius_m / max(length(offset), 1.0e-15f));
+    return direction_above_horizon(n, normalize(point));
+}
+
 CANDELA_SHADING_END
 
 #endif

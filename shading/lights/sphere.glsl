@@ -43,6 +43,45 @@ FN float sphere_projected_solid_angle(vec3 n, vec3 to_center_m, float radius_m) 
     return cone_projected_solid_angle(cos_theta, min(square(radius_m) / distance2, 1.0f));
 }
 
+// Quilez 2006 ("Sphere ambient occlusion") as in Frostbite listing 7: without the horizon, right while the sphere is above.
+FN float sphere_projected_solid_angle_no_horizon(vec3 n, vec3 to_center_m, float radius_m) {
+    float distance2 = max(dot(to_center_m, to_center_m), 1.0e-30f);
+    float cosine = saturate(dot(n, to_center_m) * inversesqrt(distance2));
+    return PI * square(radius_m) / max(square(radius_m), distance2) * cosine;
+}
+
+// Frostbite listing 14: beyond five times its diameter a light is a point.
+FN float sphere_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, float radius_m) {
+    float distance2 = dot(to_center_m, to_center_m);
+    if (distance2 < 100.0f * square(radius_m)) return sphere_projected_solid_angle(n, to_center_m, radius_m);
+    return PI * square(radius_m) * max(dot(n, to_center_m), 0.0f) * inversesqrt(distance2) / distance2;
+}
+
+// A direction for BRDFs that are evaluated once per light (Frostbite section 4.7.4), at n . l > 0: l moved up by what it
+// lacks. Some light comes in wherever this is asked for, so its mean direction is above the horizon.
+FN vec3 direction_above_horizon(vec3 n, vec3 l) {
+    return normalize(l + n * max(0.02f - dot(n, l), 0.0f));
+}
+
+// The middle in elevation of what is visible of the sphere: its centre while it is above the horizon. Own choice of the
+// point that represents the sphere for a diffuse BRDF; Frostbite has one for rectangles only.
+FN vec3 sphere_representative_direction(vec3 n, vec3 to_center_m, float radius_m) {
+    float distance_m = max(length(to_center_m), 1.0e-15f);
+    vec3 l = to_center_m / distance_m;
+    float sin_sigma = min(radius_m / distance_m, 1.0f);
+    float height = dot(n, l);
+    if (height >= sin_sigma) return l;
+    // Half way between the horizon and the highest point of the cone, the sum of two unit directions.
+    vec3 level = l - n * height;
+    float level_length = length(level);
+    if (level_length < 1.0e-6f) return n;
+    vec3 horizon = level / level_length;
+    float cos_sigma = sqrt(1.0f - sin_sigma * sin_sigma);
+    vec3 highest = n * (height * cos_sigma + level_length * sin_sigma) +
+                   horizon * (level_length * cos_sigma - height * sin_sigma);
+    return direction_above_horizon(n, normalize(highest + horizon));
+}
+
 CANDELA_SHADING_END
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "contour.glsl"
 #include "line.glsl"
+#include "rectangle.glsl"
 #include "sphere.glsl"
 
 CANDELA_SHADING_BEGIN
@@ -132,6 +133,48 @@ FN float tube_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 axis, float h
                           returns);
     sum += contour_edge_above(normal, end_low, start_low, height_end_low, height_start_low, leaves, returns);
     return max(sum + contour_edge(normal, leaves, returns), 0.0f);
+}
+
+// Frostbite listing 13: a rectangle of the cylinder's length and width that faces the receiver, by structured sampling, and
+// a sphere at the axis's nearest point, without the horizon. Inside of the sphere its illuminance stops growing.
+FN float tube_projected_solid_angle_frostbite(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m,
+                                              float radius_m) {
+    float middle = dot(to_center_m, axis);
+    vec3 across = to_center_m - middle * axis;
+    vec3 forward = across * inversesqrt(max(dot(across, across), 1.0e-20f));
+    float cylinder = rectangle_projected_solid_angle_structured(n, to_center_m, axis, cross(forward, axis),
+                                                                half_length_m, radius_m);
+    vec3 nearest = across + axis * clamp(0.0f, middle - half_length_m, middle + half_length_m);
+    return cylinder + sphere_projected_solid_angle_no_horizon(n, nearest, radius_m);
+}
+
+// Frostbite section 4.7.3: beyond five times its length a light is a point, here of the outline's area as seen.
+FN float tube_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m,
+                                               float radius_m) {
+    float distance2 = dot(to_center_m, to_center_m);
+    if (distance2 < square(10.0f * (half_length_m + radius_m)))
+        return tube_projected_solid_angle(n, to_center_m, axis, half_length_m, radius_m);
+    float inverse_distance = inversesqrt(distance2);
+    float seen_length_m = 2.0f * half_length_m * length(cross(axis, to_center_m)) * inverse_distance;
+    return (2.0f * radius_m * seen_length_m + PI * square(radius_m)) * max(dot(n, to_center_m), 0.0f) *
+           inverse_distance / distance2;
+}
+
+// A direction for BRDFs that are evaluated once per light. The point of the axis where n . l / distance^2 is largest: its
+// derivative along the axis is the quadratic 2 n_axis s^2 + 3 y n_across s - n_axis y^2 = 0, s from the receiver's foot,
+// y the distance from the axis. Own derivation; then the sphere there.
+FN vec3 tube_representative_direction(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m, float radius_m) {
+    float middle = dot(to_center_m, axis);
+    vec3 across = to_center_m - middle * axis;
+    float y = max(length(across), 1.0e-15f);
+    float n_axis = dot(n, axis);
+    float n_across = dot(n, across) / y;
+    float root = sqrt(9.0f * n_across * n_across + 8.0f * n_axis * n_axis);
+    // The root at which n . l > 0; one form for each sign of n_across, so that neither cancels.
+    float s = n_across >= 0.0f ? 2.0f * n_axis * y / max(3.0f * n_across + root, 1.0e-15f)
+                               : 0.25f * y * (root - 3.0f * n_across) * n_axis / max(n_axis * n_axis, 1.0e-15f);
+    vec3 point = across + axis * clamp(s, middle - half_length_m, middle + half_length_m);
+    return sphere_representative_direction(n, point, radius_m);
 }
 
 CANDELA_SHADING_END
