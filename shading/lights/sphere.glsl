@@ -24,6 +24,11 @@ FN float cone_projected_solid_angle(float cos_theta, float sin2_sigma) {
     if (cos_theta * cos_theta >= sin2_sigma) return PI * sin2_sigma * max(cos_theta, 0.0f);
     float w = sqrt(1.0f - cos_theta * cos_theta / sin2_sigma);
     float cot_sigma = sqrt(max(1.0f - sin2_sigma, 0.0f) / sin2_sigma);
+    // What just rises over the horizon is the difference of larger numbers, left in the fifth power of w.
+    float c2_sigma = 1.0f - sin2_sigma;
+    if (cos_theta < 0.0f && w * w < 0.04f * c2_sigma)
+        return square(w * w) * w / (cot_sigma * square(cot_sigma)) *
+               (2.0f / 15.0f + w * w * (4.0f / 21.0f - 4.0f / (35.0f * c2_sigma)));
     float visible_half_angle = half_turn_angle(w, -cot_sigma * cos_theta);
     float arc;
     if (cot_sigma > 0.1f) {
