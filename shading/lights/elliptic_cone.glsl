@@ -107,38 +107,49 @@ FN float turn_between(vec2 from, vec2 to) {
     return full_turn_angle(from.x * to.y - from.y * to.x, dot(from, to));
 }
 
-// What of the rim between two directions on it, counterclockwise, lies above the horizon, as part of an outline:
-// contour_edge_above for an arc. The rim's height is p cos(t - highest) + cone.normal.z.
-FN float oriented_cone_arc_above(OrientedCone o, vec3 from, vec3 to, float height_from, float height_to,
-                                 INOUT(vec3) leaves, INOUT(vec3) returns) {
-    vec2 slope = vec2(o.cone.minor * o.cone.normal.x, o.cone.major * o.cone.normal.y);
+// What an arc of the rim, counterclockwise from `from` to `to` (cosine and sine of t), has above a plane through the receiver: up
+// to two arcs.
+struct RimPieces {
+    vec2 from0;
+    vec2 to0;
+    vec2 from1;
+    vec2 to1;
+    bool has0;
+    bool has1;
+    vec2 down;  // where the rim goes below the plane
+    vec2 up;    // where it comes back
+    bool leaves;
+    bool returns;
+};
+
+// normal: the plane's, along the cone's axes, of any length; the rim's height over it is p cos(t - highest) + normal.z.
+FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to) {
+    vec2 slope = vec2(cone.minor * normal.x, cone.major * normal.y);
     float p = length(slope);
     vec2 highest = p > 0.0f ? slope / p : vec2(1.0f, 0.0f);
-    float c = clamp(-o.cone.normal.z / max(p, 1.0e-30f), -1.0f, 1.0f);
+    float c = clamp(-normal.z / max(p, 1.0e-30f), -1.0f, 1.0f);
     float s = sqrt((1.0f - c) * (1.0f + c));
-    vec2 up = vec2(highest.x * c + highest.y * s, highest.y * c - highest.x * s);
-    vec2 down = vec2(highest.x * c - highest.y * s, highest.y * c + highest.x * s);
-    vec2 t0 = oriented_cone_parameter(o, from);
-    vec2 t1 = oriented_cone_parameter(o, to);
-    bool starts_above = height_from >= 0.0f;
-    bool ends_above = height_to >= 0.0f;
-    float turn = turn_between(t0, t1);
+    bool starts_above = dot(slope, from) + normal.z >= 0.0f;
+    bool ends_above = dot(slope, to) + normal.z >= 0.0f;
+    float turn = turn_between(from, to);
     // A dip or a rise between two ends on the same side has its extreme within the arc.
     vec2 extreme = starts_above ? vec2(-highest.x, -highest.y) : highest;
-    bool inside = starts_above == ends_above && abs(o.cone.normal.z) < p && turn_between(t0, extreme) < turn;
-    bool does_leave = inside || (starts_above && !ends_above);
-    bool does_return = inside || (!starts_above && ends_above);
-    if (does_leave) leaves = oriented_cone_point(o, down);
-    if (does_return) returns = oriented_cone_point(o, up);
-    if (!starts_above && !does_return) return 0.0f;
-    if (!inside) {
-        vec2 begin = starts_above ? t0 : up;
-        vec2 end = ends_above ? t1 : down;
-        // Rounding may put the crossing just outside of the arc.
-        return turn_between(begin, end) > turn + 0.1f ? 0.0f : elliptic_cone_arc(o.cone, begin, end);
-    }
-    if (!starts_above) return elliptic_cone_arc(o.cone, up, down);
-    return elliptic_cone_arc(o.cone, t0, down) + elliptic_cone_arc(o.cone, up, t1);
+    bool inside = starts_above == ends_above && abs(normal.z) < p && turn_between(from, extreme) < turn;
+    RimPieces r;
+    r.up = vec2(highest.x * c + highest.y * s, highest.y * c - highest.x * s);
+    r.down = vec2(highest.x * c - highest.y * s, highest.y * c + highest.x * s);
+    r.leaves = inside || (starts_above && !ends_above);
+    r.returns = inside || (!starts_above && ends_above);
+    r.from0 = from;
+    r.to0 = r.leaves ? r.down : to;
+    r.has0 = starts_above;
+    r.from1 = r.up;
+    r.to1 = ends_above ? to : r.down;
+    r.has1 = r.returns;
+    // Rounding may put a crossing just outside of the arc: what is left is nothing, not almost a full turn.
+    r.has0 = r.has0 && turn_between(r.from0, r.to0) <= turn + 0.1f;
+    r.has1 = r.has1 && turn_between(r.from1, r.to1) <= turn + 0.1f;
+    return r;
 }
 
 CANDELA_SHADING_END
