@@ -24,6 +24,9 @@ struct Header {
     bool operator==(const Header&) const = default;
 };
 
+constexpr std::size_t kTexelBytes = kTexels * sizeof(glm::vec4);
+constexpr std::size_t kBytes = sizeof(Header) + kTexelBytes + kTexels * sizeof(float);
+
 }  // namespace
 
 glm::vec4 LtcTable::read(float NoV, float perceptual_roughness) const {
@@ -40,24 +43,27 @@ glm::vec4 LtcTable::read(float NoV, float perceptual_roughness) const {
 
 std::string encode_ltc_table(const LtcTable& table) {
     const Header header;
-    std::string bytes(sizeof(Header) + kTexels * sizeof(glm::vec4), '\0');
+    std::string bytes(kBytes, '\0');
     std::memcpy(bytes.data(), &header, sizeof(Header));
-    std::memcpy(bytes.data() + sizeof(Header), table.texels.data(), kTexels * sizeof(glm::vec4));
+    std::memcpy(bytes.data() + sizeof(Header), table.texels.data(), kTexelBytes);
+    std::memcpy(bytes.data() + sizeof(Header) + kTexelBytes, table.errors.data(), kTexels * sizeof(float));
     return bytes;
 }
 
 LtcTable decode_ltc_table(std::string_view bytes, const std::string& where) {
     Header header;
-    if (bytes.size() != sizeof(Header) + kTexels * sizeof(glm::vec4))
+    if (bytes.size() < sizeof(Header))
         throw input_error("this is not a table of linearly transformed cosines", where,
                           "candela bake ltc writes one");
     std::memcpy(&header, bytes.data(), sizeof(Header));
-    if (header != Header{})
-        throw input_error("this table of linearly transformed cosines is of another version", where,
-                          "write it anew with candela bake ltc");
+    if (header != Header{} || bytes.size() != kBytes)
+        throw input_error("this is not a table of linearly transformed cosines of this version", where,
+                          "candela bake ltc writes one");
     LtcTable table;
     table.texels.resize(kTexels);
-    std::memcpy(table.texels.data(), bytes.data() + sizeof(Header), kTexels * sizeof(glm::vec4));
+    table.errors.resize(kTexels);
+    std::memcpy(table.texels.data(), bytes.data() + sizeof(Header), kTexelBytes);
+    std::memcpy(table.errors.data(), bytes.data() + sizeof(Header) + kTexelBytes, kTexels * sizeof(float));
     return table;
 }
 

@@ -15,10 +15,11 @@ namespace candela::bake {
 constexpr std::uint32_t kLtcVersion = 1;
 
 struct LtcTable {
-    /// kLtcSize rows of kLtcSize, at dfg_parameters(x, y). x, y, z: as ltc_inverse_matrix takes them. w: the
-    /// fit's error, half the integral of |lobe - fit| over the hemisphere: no light of uniform luminance is
-    /// further off.
+    /// kLtcSize rows of kLtcSize, at dfg_parameters(x, y), as ltc_inverse_matrix takes them.
     std::vector<glm::vec4> texels;
+    /// Of each, half the integral of |lobe - fit| over the hemisphere: no light of uniform luminance is
+    /// further off, in shares of the lobe.
+    std::vector<float> errors;
 
     /// Bilinear, as a sampler reads it. Both in [0,1].
     [[nodiscard]] glm::vec4 read(float NoV, float perceptual_roughness) const;
@@ -27,7 +28,8 @@ struct LtcTable {
 /// The one that is embedded.
 [[nodiscard]] const LtcTable& ltc_table();
 
-/// As a file: "CLTC", version, size (32 bits each), then the texels as 32-bit floats, all little-endian.
+/// As a file: "CLTC", version, size (32 bits each), then the texels and the errors as 32-bit floats, all
+/// little-endian.
 [[nodiscard]] std::string encode_ltc_table(const LtcTable& table);
 /// Throws Error (Fault::input) for what is not such a file; `where` names it.
 [[nodiscard]] LtcTable decode_ltc_table(std::string_view bytes, const std::string& where);
