@@ -63,6 +63,16 @@ FN float frustum_lm_from_cd(float intensity_cd, float angle_a_rad, float angle_b
     return intensity_cd * frustum_solid_angle(angle_a_rad, angle_b_rad);
 }
 
+// A line is a diffuse cylinder too thin to have a luminance: its intensity falls with the sine of the angle from
+// its axis, and 2 pi times the integral of sin^2 over [0, pi] is pi^2. Own derivation; Frostbite has found none
+// (section 4.4, footnote 24). intensity_cd: perpendicular to the axis.
+FN float line_cd_from_lm(float power_lm) {
+    return power_lm / (PI * PI);
+}
+FN float line_lm_from_cd(float intensity_cd) {
+    return PI * PI * intensity_cd;
+}
+
 // Emitting areas in m^2. A tube is a capsule: a cylinder of width_m between the centres of two half spheres.
 // Disks and rectangles emit from one side.
 FN float sphere_area(float radius_m) {
@@ -104,6 +114,21 @@ FN float rectangle_lm_from_nit(float luminance_nit, float width_m, float height_
     return lm_from_nit_area(luminance_nit, rectangle_area(width_m, height_m));
 }
 
+// What a shape of uniform luminance shows of itself from afar, in m^2: times the luminance, its intensity in cd.
+// Sphere and disk (along its axis): disk_area(); rectangle: rectangle_area(). A tube, across its axis:
+FN float tube_projected_area(float radius_m, float width_m) {
+    return 2.0f * radius_m * width_m + PI * square(radius_m);
+}
+
+// The sun as a disc (Frostbite section 4.6, footnote 29, with the projected solid angle of a disc that faces the
+// surface, pi sin^2, where the footnote has the solid angle: 1e-5 apart). luminance_nit: the mean of the disc.
+FN float sun_lx_from_nit(float luminance_nit, float angular_diameter_rad) {
+    return luminance_nit * PI * square(sin(0.5f * angular_diameter_rad));
+}
+FN float sun_nit_from_lx(float illuminance_lx, float angular_diameter_rad) {
+    return illuminance_lx / (PI * square(sin(0.5f * angular_diameter_rad)));
+}
+
 // Illuminance in lx on a surface that faces the light, distance_m from its centre (outside of it): the
 // luminance times the projected solid angle, which is closed for these two (Frostbite section 4.7.2).
 FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
@@ -111,6 +136,16 @@ FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_
 }
 FN float disk_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
     return luminance_nit * PI * square(radius_m) / (square(radius_m) + square(distance_m));
+}
+
+// The same for a rectangle, on its axis: four times the configuration factor of a quarter whose corner is
+// there (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
+FN float rectangle_lx_from_nit(float luminance_nit, float width_m, float height_m, float distance_m) {
+    float a = 0.5f * width_m / distance_m;
+    float b = 0.5f * height_m / distance_m;
+    float ra = sqrt(1.0f + a * a);
+    float rb = sqrt(1.0f + b * b);
+    return 2.0f * luminance_nit * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
 }
 
 CANDELA_SHADING_END
