@@ -47,6 +47,30 @@ FN float spot_lm_from_cd_smooth(float intensity_cd, float inner_cone_rad, float 
     return intensity_cd * (inner_sr + (cone_solid_angle(outer_cone_rad) - inner_sr) / 3.0f);
 }
 
+// A line light, a diffuse cylinder too thin to have a width: intensity falls from what it is perpendicular to the axis,
+// intensity_cd, with the sine of the angle to the axis; over the sphere that is pi^2. Own derivation; Frostbite has none.
+FN float line_cd_from_lm(float power_lm) {
+    return power_lm * INV_PI * INV_PI;
+}
+FN float line_lm_from_cd(float intensity_cd) {
+    return PI * PI * intensity_cd;
+}
+
+// The sun as a disc of an angular diameter: luminance from the illuminance at normal incidence. Frostbite section 4.6
+// divides by the solid angle; a disc's projected solid angle pi sin^2 of the half angle, which is exact, is 5e-6 less.
+FN float sun_solid_angle(float angular_diameter_rad) {
+    return cone_solid_angle(0.5f * angular_diameter_rad);
+}
+FN float sun_projected_solid_angle(float angular_diameter_rad) {
+    return PI * square(sin(0.5f * angular_diameter_rad));
+}
+FN float sun_nit_from_lx(float illuminance_lx, float angular_diameter_rad) {
+    return illuminance_lx / sun_projected_solid_angle(angular_diameter_rad);
+}
+FN float sun_lx_from_nit(float luminance_nit, float angular_diameter_rad) {
+    return luminance_nit * sun_projected_solid_angle(angular_diameter_rad);
+}
+
 // Solid angle in sr of a rectangular pyramid with full opening angles angle_a_rad and angle_b_rad, each in
 // (0, pi].
 // The arc sine of Table 9 is taken as an arc tangent, for drivers whose asin is good to 1e-3 only (Mesa's).
@@ -61,16 +85,6 @@ FN float frustum_cd_from_lm(float power_lm, float angle_a_rad, float angle_b_rad
 }
 FN float frustum_lm_from_cd(float intensity_cd, float angle_a_rad, float angle_b_rad) {
     return intensity_cd * frustum_solid_angle(angle_a_rad, angle_b_rad);
-}
-
-// A line is a diffuse cylinder too thin to have a luminance: its intensity falls with the sine of the angle from
-// its axis, and 2 pi times the integral of sin^2 over [0, pi] is pi^2. Own derivation; Frostbite has found none
-// (section 4.4, footnote 24). intensity_cd: perpendicular to the axis.
-FN float line_cd_from_lm(float power_lm) {
-    return power_lm / (PI * PI);
-}
-FN float line_lm_from_cd(float intensity_cd) {
-    return PI * PI * intensity_cd;
 }
 
 // Emitting areas in m^2. A tube is a capsule: a cylinder of width_m between the centres of two half spheres.
@@ -118,15 +132,6 @@ FN float rectangle_lm_from_nit(float luminance_nit, float width_m, float height_
 // Sphere and disk (along its axis): disk_area(); rectangle: rectangle_area(). A tube, across its axis:
 FN float tube_projected_area(float radius_m, float width_m) {
     return 2.0f * radius_m * width_m + PI * square(radius_m);
-}
-
-// The sun as a disc (Frostbite section 4.6, footnote 29, with the projected solid angle of a disc that faces the
-// surface, pi sin^2, where the footnote has the solid angle: 1e-5 apart). luminance_nit: the mean of the disc.
-FN float sun_lx_from_nit(float luminance_nit, float angular_diameter_rad) {
-    return luminance_nit * PI * square(sin(0.5f * angular_diameter_rad));
-}
-FN float sun_nit_from_lx(float illuminance_lx, float angular_diameter_rad) {
-    return illuminance_lx / (PI * square(sin(0.5f * angular_diameter_rad)));
 }
 
 // Illuminance in lx on a surface that faces the light, distance_m from its centre (outside of it): the
