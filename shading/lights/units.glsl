@@ -128,6 +128,12 @@ FN float rectangle_lm_from_nit(float luminance_nit, float width_m, float height_
     return lm_from_nit_area(luminance_nit, rectangle_area(width_m, height_m));
 }
 
+// What a shape of uniform luminance shows of itself from afar, in m^2: times the luminance, its intensity in cd.
+// Sphere and disk (along its axis): disk_area(); rectangle: rectangle_area(). A tube, across its axis:
+FN float tube_projected_area(float radius_m, float width_m) {
+    return 2.0f * radius_m * width_m + PI * square(radius_m);
+}
+
 // Illuminance in lx on a surface that faces the light, distance_m from its centre (outside of it): the
 // luminance times the projected solid angle, which is closed for these two (Frostbite section 4.7.2).
 FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
@@ -135,6 +141,16 @@ FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_
 }
 FN float disk_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
     return luminance_nit * PI * square(radius_m) / (square(radius_m) + square(distance_m));
+}
+
+// The same for a rectangle, on its axis: four times the configuration factor of a quarter whose corner is
+// there (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
+FN float rectangle_lx_from_nit(float luminance_nit, float width_m, float height_m, float distance_m) {
+    float a = 0.5f * width_m / distance_m;
+    float b = 0.5f * height_m / distance_m;
+    float ra = sqrt(1.0f + a * a);
+    float rb = sqrt(1.0f + b * b);
+    return 2.0f * luminance_nit * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
 }
 
 CANDELA_SHADING_END
