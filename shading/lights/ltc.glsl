@@ -156,7 +156,8 @@ FN float ltc_rectangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, ve
     return ltc_outline_end(o, frame);
 }
 
-// Triangle of uniform luminance, its corners counterclockwise as the receiver sees them.
+// Triangle of uniform luminance, its corners in the order of rectangle_corners: their cross product points away from where it
+// shines.
 FN float ltc_triangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 a, vec3 b, vec3 c) {
     LtcFrame frame = ltc_frame(inverse_matrix, n, v);
     vec3 p = frame.to_cosine * a;

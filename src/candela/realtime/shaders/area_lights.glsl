@@ -42,7 +42,7 @@ struct AreaLight {
     float half_width_m;
     float half_height_m;
     float radius_m;
-    vec3 corners[3];  // of a triangle, counter-clockwise as the receiver sees it
+    vec3 corners[3];  // of a triangle, in the order in which rectangle_corners has a rectangle's
 };
 
 AreaLight triangle_light(Light light, vec3 position) {
@@ -56,10 +56,11 @@ AreaLight triangle_light(Light light, vec3 position) {
     a.direction = twice_area / max(area2_m2, 1.0e-20);
     if (dot(a.direction, a.corners[0]) > 0.0) {
         if ((light.links.x & kLightTwoSided) == 0) a.nit = vec3(0.0);
+        a.direction = -a.direction;
+    } else {
         vec3 swap = a.corners[1];
         a.corners[1] = a.corners[2];
         a.corners[2] = swap;
-        a.direction = -a.direction;
     }
     a.to_center_m = (a.corners[0] + a.corners[1] + a.corners[2]) * (1.0 / 3.0);
     a.radius_m = sqrt(0.5 * INV_PI * area2_m2);  // of the disk of the same area
