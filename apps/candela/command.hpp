@@ -14,5 +14,6 @@ void add_info(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_light(CLI::App& app, Action& action);
 
 }  // namespace candela::app

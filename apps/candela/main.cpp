@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
     candela::app::add_bench(app, action);
     candela::app::add_compare(app, action);
     candela::app::add_validate(app, action);
+    candela::app::add_light(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
