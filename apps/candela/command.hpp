@@ -16,5 +16,6 @@ void add_compare(CLI::App& app, Action& action);
 void add_meter(CLI::App& app, Action& action);
 void add_bake(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_light(CLI::App& app, Action& action);
 
 }  // namespace candela::app
