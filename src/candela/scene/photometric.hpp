@@ -51,8 +51,9 @@ struct PhotometricProfile {
     std::string name;
 
     /// The web, type C, whole: vertical_deg ascends from 0 to 180, horizontal_deg from 0 to 360, whose
-    /// half-plane is that of 0 again. Intensity in cd as emitted: multipliers, ballast factors and lamp flux
-    /// are in it.
+    /// half-plane is that of 0 again. Two equal vertical angles are a jump, as at the edge of a web that says
+    /// nothing above the horizon. Intensity in cd as emitted: multipliers, ballast factors and lamp flux are
+    /// in it.
     std::vector<double> vertical_deg;
     std::vector<double> horizontal_deg;
     std::vector<float> candela;  ///< [horizontal * vertical_deg.size() + vertical]
@@ -102,9 +103,8 @@ struct PhotometricPeak {
 /// The largest intensity; of equal ones the lowest gamma, then the lowest C.
 [[nodiscard]] PhotometricPeak peak(const PhotometricProfile& profile);
 
-/// Full angles in degrees at which the intensity falls to a fraction of the largest, through the peak and in
-/// the plane of C and C + 180: outwards from the peak on both sides. None if it does not fall so far on
-/// either side.
+/// The smallest full angle in degrees, in the plane of C and C + 180, that holds every direction of at least
+/// a fraction of that plane's largest intensity. None where the plane is dark or never falls so low.
 struct PhotometricSpread {
     std::optional<double> c0_c180_deg;
     std::optional<double> c90_c270_deg;
@@ -118,7 +118,7 @@ struct PhotometricSpread {
 }
 
 /// What a luminaire whose lamp dims with its position gives when the aim is `tilt_deg` off straight down; 1
-/// without TILT data. The web is for tilt 0.
+/// without TILT data. The web is for a factor of 1.
 [[nodiscard]] double tilt_factor(const PhotometricProfile& profile, double tilt_deg);
 
 /// Size of a table for shading/lights/photometric.glsl.
