@@ -273,6 +273,7 @@ Job prepare(const JobOptions& options) {
     job.scene = io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, job.diagnostics);
     io::Stage stage;
     if (!options.stage_file.empty()) stage = io::load_stage(options.stage_file);
+    io::place_stage_lights(stage.lights, job.scene, job.diagnostics);
     stage_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);

@@ -47,6 +47,30 @@ FN float spot_lm_from_cd_smooth(float intensity_cd, float inner_cone_rad, float 
     return intensity_cd * (inner_sr + (cone_solid_angle(outer_cone_rad) - inner_sr) / 3.0f);
 }
 
+// A line light, a diffuse cylinder too thin to have a width: intensity falls from what it is perpendicular to the axis,
+// intensity_cd, with the sine of the angle to the axis; over the sphere that is pi^2. Own derivation; Frostbite has none.
+FN float line_cd_from_lm(float power_lm) {
+    return power_lm * INV_PI * INV_PI;
+}
+FN float line_lm_from_cd(float intensity_cd) {
+    return PI * PI * intensity_cd;
+}
+
+// The sun as a disc of an angular diameter: luminance from the illuminance at normal incidence. Frostbite section 4.6
+// divides by the solid angle; a disc's projected solid angle pi sin^2 of the half angle, which is exact, is 5e-6 less.
+FN float sun_solid_angle(float angular_diameter_rad) {
+    return cone_solid_angle(0.5f * angular_diameter_rad);
+}
+FN float sun_projected_solid_angle(float angular_diameter_rad) {
+    return PI * square(sin(0.5f * angular_diameter_rad));
+}
+FN float sun_nit_from_lx(float illuminance_lx, float angular_diameter_rad) {
+    return illuminance_lx / sun_projected_solid_angle(angular_diameter_rad);
+}
+FN float sun_lx_from_nit(float luminance_nit, float angular_diameter_rad) {
+    return luminance_nit * sun_projected_solid_angle(angular_diameter_rad);
+}
+
 // Solid angle in sr of a rectangular pyramid with full opening angles angle_a_rad and angle_b_rad, each in
 // (0, pi].
 // The arc sine of Table 9 is taken as an arc tangent, for drivers whose asin is good to 1e-3 only (Mesa's).
@@ -104,6 +128,12 @@ FN float rectangle_lm_from_nit(float luminance_nit, float width_m, float height_
     return lm_from_nit_area(luminance_nit, rectangle_area(width_m, height_m));
 }
 
+// What a shape of uniform luminance shows of itself from afar, in m^2: times the luminance, its intensity in cd.
+// Sphere and disk (along its axis): disk_area(); rectangle: rectangle_area(). A tube, across its axis:
+FN float tube_projected_area(float radius_m, float width_m) {
+    return 2.0f * radius_m * width_m + PI * square(radius_m);
+}
+
 // Illuminance in lx on a surface that faces the light, distance_m from its centre (outside of it): the
 // luminance times the projected solid angle, which is closed for these two (Frostbite section 4.7.2).
 FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
@@ -111,6 +141,16 @@ FN float sphere_lx_from_nit(float luminance_nit, float radius_m, float distance_
 }
 FN float disk_lx_from_nit(float luminance_nit, float radius_m, float distance_m) {
     return luminance_nit * PI * square(radius_m) / (square(radius_m) + square(distance_m));
+}
+
+// The same for a rectangle, on its axis: four times the configuration factor of a quarter whose corner is
+// there (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
+FN float rectangle_lx_from_nit(float luminance_nit, float width_m, float height_m, float distance_m) {
+    float a = 0.5f * width_m / distance_m;
+    float b = 0.5f * height_m / distance_m;
+    float ra = sqrt(1.0f + a * a);
+    float rb = sqrt(1.0f + b * b);
+    return 2.0f * luminance_nit * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
 }
 
 CANDELA_SHADING_END

@@ -179,19 +179,6 @@ bool finite(const glm::mat4& m) {
     return true;
 }
 
-/// Rotation and place of a node without its scale, for lights and cameras.
-glm::mat4 rigid_part(const glm::mat4& m) {
-    const auto unit = [](const glm::vec3& v, const glm::vec3& fallback) {
-        const float length = glm::length(v);
-        return length > 1e-20f && std::isfinite(length) ? v / length : fallback;
-    };
-    const glm::vec3 z = unit(glm::vec3(m[2]), {0, 0, 1});
-    const glm::vec3 y0 = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
-    const glm::vec3 y = unit(y0, std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
-    return {glm::vec4(glm::cross(y, z), 0.0f), glm::vec4(y, 0.0f), glm::vec4(z, 0.0f),
-            glm::vec4(glm::vec3(m[3]), 1.0f)};
-}
-
 void add_light(const JsonView& source, const Node& node, float light_scale, scene::Scene& scene) {
     scene::Light light;
     light.name = source["name"].string_or(node.name);
@@ -214,7 +201,7 @@ void add_light(const JsonView& source, const Node& node, float light_scale, scen
     light.inner_cone_rad = std::clamp(spot["innerConeAngle"].float_or(0.0f), 0.0f, 1.5707963f);
     light.outer_cone_rad =
         std::clamp(spot["outerConeAngle"].float_or(0.7853982f), light.inner_cone_rad, 1.5707963f);
-    const glm::mat4 place = rigid_part(node.world);
+    const glm::mat4 place = scene::rigid_part(node.world);
     light.position = glm::vec3(place[3]);
     light.direction = -glm::vec3(place[2]);
     light.right = glm::vec3(place[0]);
@@ -225,7 +212,7 @@ void add_camera(const JsonView& source, const Node& node, scene::Scene& scene) {
     scene::Camera camera;
     const std::string own_name = source["name"].string_or("");
     camera.name = node.name.empty() ? own_name : node.name;
-    camera.world = rigid_part(node.world);
+    camera.world = scene::rigid_part(node.world);
     const std::string type = source["type"].string_or("");
     const auto positive = [](const JsonView& value, float fallback) {
         const float x = value.float_or(fallback);
@@ -272,6 +259,7 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
             continue;
         }
         const JsonView node = document.element("nodes", i);
+        if (!nodes[i].name.empty()) scene.nodes.push_back({nodes[i].name, nodes[i].world});
         poser.add_instance(i);
         if (const auto camera = node["camera"].index_below(document.count("cameras"))) {
             add_camera(document.element("cameras", *camera), nodes[i], scene);
