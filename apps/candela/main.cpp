@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
     candela::app::add_info(app, action);
     candela::app::add_bench(app, action);
     candela::app::add_compare(app, action);
+    candela::app::add_convert(app, action);
     candela::app::add_validate(app, action);
     try {
         app.parse(argc, argv);
