@@ -61,7 +61,8 @@ float projected_area(const Light& l) {
     }
 }
 
-/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light, or no closed form is known.
+/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light, and of tubes,
+/// whose illuminance has no closed form.
 std::optional<float> lx_at_1m(const Light& l) {
     const float window = shading::window_attenuation(1.0f, l.range_m);
     switch (l.type) {
@@ -69,6 +70,8 @@ std::optional<float> lx_at_1m(const Light& l) {
         case LightType::spot:
         case LightType::frustum:
             return window * shading::lx_from_cd(1.0f, 1.0f);
+        case LightType::line:
+            return window * shading::line_lx_from_cd(1.0f, 2.0f * l.half_width_m, 1.0f);
         case LightType::sphere:
             if (l.radius_m >= 1.0f) return std::nullopt;
             return window * shading::sphere_lx_from_nit(1.0f, l.radius_m, 1.0f);
