@@ -11,7 +11,7 @@
 namespace candela::app {
 namespace {
 
-struct ConvertOptions : SceneOptions {
+struct ConvertOptions : SceneFileOptions {
     std::string out_file;
     bool json = false;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-struct InfoOptions : SceneOptions {
+struct InfoOptions : SceneFileOptions {
     bool json = false;
 };
 

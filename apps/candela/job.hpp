@@ -16,7 +16,7 @@
 namespace candela::app {
 
 /// What `render`, `bench` and `info` have in common: a scene on a stage, before any device is touched.
-struct JobOptions : SceneOptions {
+struct JobOptions : SceneFileOptions {
     std::string environment;  ///< file, "studio", "none", or empty: what stage and scene say
     std::optional<float> env_scale;
     std::optional<float> env_rotate_deg;

@@ -11,7 +11,7 @@ void check(float value, float low, float high, const std::string& option, const 
 
 }  // namespace
 
-void add_scene_file_options(CLI::App& command, SceneOptions& o) {
+void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
     const std::map<std::string, io::GltfLightUnits> units{{"spec", io::GltfLightUnits::spec},
                                                           {"standard", io::GltfLightUnits::spec},
                                                           {"unitless", io::GltfLightUnits::unitless},
@@ -27,7 +27,7 @@ void add_scene_file_options(CLI::App& command, SceneOptions& o) {
     command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
 }
 
-StagedScene load_staged_scene(const SceneOptions& o, Diagnostics& diagnostics) {
+StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostics) {
     check(o.light_scale, 0.0f, 1e12f, "--light-scale", "0 to 1e+12");
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
     StagedScene out;

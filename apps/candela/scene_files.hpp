@@ -9,7 +9,7 @@
 namespace candela::app {
 
 /// What every command that reads a scene has: the file, how its lights are meant, and the stage.
-struct SceneOptions {
+struct SceneFileOptions {
     std::string scene_file;
     std::string stage_file;
     float light_scale = 1.0f;
@@ -17,7 +17,7 @@ struct SceneOptions {
     float time_s = 0.0f;
 };
 
-void add_scene_file_options(CLI::App& command, SceneOptions& options);
+void add_scene_file_options(CLI::App& command, SceneFileOptions& options);
 
 struct StagedScene {
     scene::Scene scene;  ///< with the stage's lights; its environment, camera and exposure are in `stage`
@@ -25,6 +25,6 @@ struct StagedScene {
 };
 
 /// Throws Error for numbers that no scene means, and for what is wrong with the files.
-[[nodiscard]] StagedScene load_staged_scene(const SceneOptions& options, Diagnostics& diagnostics);
+[[nodiscard]] StagedScene load_staged_scene(const SceneFileOptions& options, Diagnostics& diagnostics);
 
 }  // namespace candela::app

@@ -132,7 +132,7 @@ void set_strength(const StageLight& entry, const Light& before, const scene::Sce
         light.intensity = entry.profile_multiplier;
         light.unit = scene::LightUnit::candela;
         light.efficacy_lm_per_w = 0.0f;
-    } else if (light.type != before.type) {
+    } else if (light.type != before.type && !profile) {
         keep_power(entry, before, scene, light);
     }
 }
