@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int columns = 6;
-constexpr int rows = 2;
+constexpr int columns = 4;
+constexpr int rows = 3;
 constexpr float cell_m = 1.0f;
 constexpr float depth_m = 0.8f;
 constexpr float board_m = 0.04f;
@@ -23,9 +23,8 @@ constexpr float board_m = 0.04f;
 /// Middle of a cell's floor at the back wall; x to the right, y up.
 glm::vec3 cell(int index) {
     const auto column = static_cast<float>(index % columns);
-    const int row = index / columns;
-    return {(column - 0.5f * (columns - 1)) * (cell_m + board_m),
-            row == 0 ? cell_m + 2.0f * board_m : board_m, 0.0f};
+    const auto row = static_cast<float>(rows - 1 - index / columns);
+    return {(column - 0.5f * (columns - 1)) * (cell_m + board_m), row * (cell_m + board_m) + board_m, 0.0f};
 }
 
 json place(int index, const glm::vec3& in_cell) {
@@ -127,9 +126,9 @@ json stage_lights() {
          {"radius_m", 0.03},
          {"position", place(11, {0.0f, 0.55f, 0.34f})},
          {"range_m", 6}},
-        {{"name", "low sun, 60 lx"},
+        {{"name", "low sun, 100 lx"},
          {"type", "sun"},
-         {"illuminance_lx", 60},
+         {"illuminance_lx", 100},
          {"temperature_k", 3200},
          {"angular_diameter_deg", 2},
          {"direction", {-0.62, -0.38, -0.69}}},
@@ -193,7 +192,7 @@ void write_light_shelf(const std::filesystem::path& folder) {
                 scene.material(emissive_material("emissive mesh, 2500 cd/m2", luminance_nit, 3500.0f)),
                 {cell(9) + glm::vec3(0.0f, 0.68f, 0.34f)});
     add_gltf_lights(scene);
-    scene.camera("main", {0.35f, 1.35f, 6.4f}, {0.0f, 1.03f, 0.0f}, 36.0f);
+    scene.camera("main", {0.3f, 1.85f, 6.6f}, {0.0f, 1.5f, 0.0f}, 42.0f);
     scene.save(folder / "light_shelf.glb");
     const std::string ies = downlight_ies();
     io::write_file(folder / "downlight.ies", std::as_bytes(std::span(ies)));
