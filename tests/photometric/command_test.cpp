@@ -119,6 +119,13 @@ TEST(LightCommand, PlotsTheCurveWhereItIs) {
     EXPECT_EQ(run_candela("light " + path + " --plot " + (folder / "no/p.png")).exit_code, 1);
 }
 
+TEST(LightCommand, AMissingFileIsOneLine) {
+    const Outcome run = run_candela("light no/such.ies");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(lines(run.err), 1u);
+    EXPECT_NE(run.err.find("no/such.ies"), std::string::npos);
+}
+
 TEST(LightCommand, ADarkFileIsNoError) {
     const TemporaryFolder folder;
     IesFile file;
