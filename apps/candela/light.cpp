@@ -116,12 +116,16 @@ void judge_lumens(const PhotometricProfile& p, Diagnostics& diagnostics) {
     const std::optional<double> stated = scene::stated_lm(p);
     const double integrated = scene::integrated_lm(p);
     if (!stated || !(std::abs(integrated - *stated) > tolerance * *stated)) return;
+    if (*stated <= 0.0) {
+        diagnostics.warn("the file states 0 lm, its web integrates to " + measure::readable(integrated) +
+                         " lm");
+        return;
+    }
     const bool lamps_only = p.format == scene::PhotometricFormat::ies;
-    std::string text = "the web integrates to " + measure::readable(integrated) + " lm, ";
-    text +=
-        *stated > 0.0 ? measure::readable(100.0 * integrated / *stated) + " % of the " : "where none of the ";
-    text += measure::readable(*stated) + " lm that the file states" +
-            (lamps_only ? " for its lamps" : " for the luminaire");
+    std::string text = "the web integrates to " + measure::readable(integrated) + " lm, " +
+                       measure::readable(100.0 * integrated / *stated) + " % of the " +
+                       measure::readable(*stated) + " lm that the file states" +
+                       (lamps_only ? " for its lamps" : " for the luminaire");
     if (lamps_only && integrated < *stated) text += "; the rest stays in the luminaire, or the file is wrong";
     if (lamps_only && integrated > *stated) text += ": more than goes in";
     diagnostics.warn(text);

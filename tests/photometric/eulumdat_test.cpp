@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "candela/scene/error.hpp"
-#include "photometric_files.hpp"
+#include "read_back.hpp"
 
 using namespace candela;
 using namespace candela::test;

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "common/files.hpp"
-#include "photometric_files.hpp"
+#include "read_back.hpp"
 
 using namespace candela;
 using namespace candela::test;

@@ -1,15 +1,11 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "candela/io/photometric.hpp"
 
 /// Photometric files written byte by byte, from a distribution or from numbers.
 namespace candela::test {
@@ -138,17 +134,5 @@ struct LdtFile {
         return out;
     }
 };
-
-inline scene::PhotometricProfile read(const std::string& bytes, Diagnostics& diagnostics,
-                                      const io::PhotometricOptions& options = {}) {
-    return io::load_photometric_from_memory(std::as_bytes(std::span(bytes)), "test", {}, diagnostics,
-                                            options);
-}
-inline scene::PhotometricProfile read(const std::string& bytes) {
-    Diagnostics diagnostics;
-    scene::PhotometricProfile out = read(bytes, diagnostics);
-    for (const auto& warning : diagnostics.warnings()) ADD_FAILURE() << warning.text;
-    return out;
-}
 
 }  // namespace candela::test

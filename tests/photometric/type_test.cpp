@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "photometric_files.hpp"
+#include "read_back.hpp"
 #include "shading/lights/photometric.glsl"
 
 using namespace candela;
