@@ -36,6 +36,11 @@ FN float full_turn_angle(float y, float x) {
     return y >= 0.0f ? angle : TWO_PI - angle;
 }
 
+// v / |v|; the null vector stays.
+FN vec3 direction_of(vec3 v) {
+    return v * inversesqrt(max(dot(v, v), 1.0e-37f));
+}
+
 // The edge from a to b; 0 when one of them is the null vector.
 FN float contour_edge(vec3 n, vec3 a, vec3 b) {
     vec3 normal = cross(a, b - a);  // the difference keeps the digits of a distant edge
