@@ -57,6 +57,14 @@ FN vec3 horizon_crossing(vec3 a, vec3 b, float height_a, float height_b) {
     return a + (b - a) * (height_a / (height_a - height_b));
 }
 
+// The edge along the horizon that closes a clipped outline. Its ends may lie at very different distances; the difference
+// has the digits of the nearer one when the cross product is taken there.
+FN float contour_edge_on_horizon(vec3 n, vec3 leaves, vec3 returns) {
+    bool swap = dot(leaves, leaves) > dot(returns, returns);
+    float edge = contour_edge(n, swap ? returns : leaves, swap ? leaves : returns);
+    return swap ? -edge : edge;
+}
+
 // What of the edge from a to b lies above the horizon; height_a, height_b: n . a and n . b. Where the edge goes below,
 // `leaves` is that point, where it comes back above, `returns`: both stay as they are otherwise.
 FN float contour_edge_above(vec3 n, vec3 a, vec3 b, float height_a, float height_b, INOUT(vec3) leaves,

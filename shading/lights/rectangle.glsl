@@ -41,7 +41,7 @@ FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) 
     sum += contour_edge_above(n, p1, p2, h1, h2, leaves, returns);
     sum += contour_edge_above(n, p2, p3, h2, h3, leaves, returns);
     sum += contour_edge_above(n, p3, p0, h3, h0, leaves, returns);
-    return sum + contour_edge(n, leaves, returns);
+    return sum + contour_edge_on_horizon(n, leaves, returns);
 }
 
 // Exact, by the outline's integral after clipping at the horizon. Under 1/300 of the distance the outline's edges
