@@ -46,20 +46,22 @@ Findings run() {
                               readable(kMeter_lx[i])});
     }
     const auto x = logspace(0.05, 1.2, 60);
-    const double tube_at_10cm = tube_lx(0.1) / point_lx(0.1);
+    const double tube_at_1m = tube_lx(1.0) / point_lx(1.0);
+    const double tube_near = tube_lx(0.055) / point_lx(0.055);
     Findings out;
     out.text =
         "In the set-up of the figure (a black room, the meter facing the bulb) a round bulb of any size "
         "gives "
         "what the point gives, down to the glass, so the meter's readings can test the units alone; a "
         "tubular lamp, seen "
-        "from the side, gives " +
-        number(tube_at_10cm, 3) +
-        " times as much at 10 cm. The readings are above both by 3 to 18 %: lamps send less down their "
-        "socket and more to "
+        "from the side, goes from " +
+        number(tube_at_1m, 3) + " of the point at 1 m to " + number(tube_near, 3) +
+        " next to the glass. The readings are 3 to 18 % above the point: lamps send less down their socket "
+        "and more to "
         "the front.";
     out.measured = {at_most("bulb against point, largest relative error", bulb.max(), 1e-5),
-                    within("tube over point at 10 cm", tube_at_10cm, 0.8, 1.4)};
+                    within("tube over point at 1 m", tube_at_1m, 1.1, 1.3),
+                    within("tube over point at 5.5 cm", tube_near, 0.6, 0.9)};
     out.plots = {{"Illuminance facing the lamp",
                   "",
                   {"distance, m", 0.05, 1.2, Scale::logarithmic},

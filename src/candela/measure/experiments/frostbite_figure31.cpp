@@ -16,9 +16,9 @@ using namespace shading;
 using glm::dvec3;
 
 constexpr float kPower_lm = 1500.0f;
-constexpr float kAlpha = 0.15f;
+constexpr float kAlpha = 0.08f;
 constexpr std::array<float, 4> kRadii_m{0.05f, 0.12f, 0.22f, 0.35f};
-const dvec3 kCenter(0.0, 1.2, 1.1);
+const dvec3 kCenter(-0.7, -0.9, 1.25);
 
 /// Integral of the specular lobe over the sphere's cone of directions, per luminance.
 float specular(const vec3& n, const vec3& v, const vec3& to, float radius_m, int side) {
@@ -62,7 +62,7 @@ Picture picture(float radius_m, float luminance_nit) {
         const vec3 v(glm::normalize(scene.eye - position));
         const float diffuse = 0.3f * INV_PI * sphere_projected_solid_angle(vec3(n), to, radius_m);
         return tone_curve(
-            kToneAces, glm::vec3((diffuse + specular(vec3(n), v, to, radius_m, 6)) * luminance_nit / 40.0f));
+            kToneAces, glm::vec3((diffuse + specular(vec3(n), v, to, radius_m, 10)) * luminance_nit / 40.0f));
     });
 }
 

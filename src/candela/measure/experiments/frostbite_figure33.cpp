@@ -40,12 +40,20 @@ Findings run() {
     Findings out;
     add_lit_figure(
         out, scene, "A large rectangle that crosses the horizon",
-        {{"form factor, no horizon", by(rectangle_projected_solid_angle_arvo), 0.5},
-         {"simplified MRP, wrong intensity of the wrap", by(rectangle_projected_solid_angle_simplified), 0.5},
-         {"exact", by(rectangle_projected_solid_angle), 0.5}},
+        {{"form factor, no horizon", by(rectangle_projected_solid_angle_arvo), 0.06},
+         {"simplified MRP, wrong intensity of the wrap", by(rectangle_projected_solid_angle_simplified),
+          0.31},
+         {"exact", by(rectangle_projected_solid_angle), 1e-4}},
         [](const dvec3& n, const dvec3& position) { return illuminance_truth(n, seen_from(position), 4); },
         2.0);
-    out.text = "x";
+    out.text =
+        "The form factor without the horizon is right where all of the wall is above it and wrong on the "
+        "balls, whose dark "
+        "side it cuts off hard, and on the floor, from which the buried part is taken off. The "
+        "representative point with the "
+        "solid angle of the whole wraps, far too bright. Clipping at the horizon is the truth, for the price "
+        "of structured "
+        "sampling.";
     return out;
 }
 

@@ -10,12 +10,13 @@ namespace {
 using namespace shading;
 using glm::dvec3;
 
-/// A wall of light behind the balls, which shines towards the viewer: right x up is y.
-const dvec3 kCenter(0.0, 1.3, 1.0);
-const dvec3 kRight(-1.0, 0.0, 0.0);
-const dvec3 kUp(0.0, 0.0, 1.0);
-constexpr double kHalfWidth_m = 2.4;
-constexpr double kHalfHeight_m = 1.0;
+/// A wide window of light above and before the balls, on the left. right x up points away from where it
+/// shines.
+const dvec3 kCenter(-1.2, -1.5, 1.6);
+const dvec3 kRight = glm::normalize(dvec3(1.0, -0.4, 0.0));
+const dvec3 kUp = glm::cross(glm::normalize(dvec3(-0.4, -1.0, 0.8)), kRight);
+constexpr double kHalfWidth_m = 1.6;
+constexpr double kHalfHeight_m = 0.8;
 
 std::vector<LightPiece> pieces() {
     constexpr int kColumns = 28;
