@@ -108,6 +108,21 @@ TEST(ClosedForm, AHalfSunkSphere) {
     }
 }
 
+TEST(ClosedForm, WhatJustRisesOfASphereKeepsItsDigits) {
+    // w: how much of its width on the horizon shows; the light is in the fifth power of it.
+    for (const double sigma : {0.05, 0.3, 1.0}) {
+        for (const double w : {0.03, 0.1, 0.3, 0.6}) {
+            const double cosine = -std::sin(sigma) * std::sqrt(1.0 - w * w);
+            const glm::dvec3 center(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+            const double truth =
+                illuminance_truth(glm::dvec3(kUp), measure::SphereLight{center, std::sin(sigma)});
+            EXPECT_NEAR(sphere_projected_solid_angle(kUp, vec3(center), float(std::sin(sigma))), truth,
+                        4e-3 * truth)
+                << sigma << ' ' << w;
+        }
+    }
+}
+
 /// The largest error of a technique over random lights above and across the horizon.
 template <class Light, class F>
 double largest_error(F f) {

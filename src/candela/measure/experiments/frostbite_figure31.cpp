@@ -62,7 +62,7 @@ Picture picture(float radius_m, float luminance_nit) {
         const vec3 v(glm::normalize(scene.eye - position));
         const float diffuse = 0.3f * INV_PI * sphere_projected_solid_angle(vec3(n), to, radius_m);
         return tone_curve(
-            kToneAces, glm::vec3((diffuse + specular(vec3(n), v, to, radius_m, 10)) * luminance_nit / 40.0f));
+            kToneAces, glm::vec3((diffuse + specular(vec3(n), v, to, radius_m, 8)) * luminance_nit / 40.0f));
     });
 }
 

@@ -46,11 +46,11 @@ Findings run() {
                                 kLight.up * kLight.half_height);
     };
     Findings out;
-    add(out, scene, "Rectangle", 0.022, 1e-4);
+    add(out, scene, "Rectangle", 0.03, 1e-4);
     LitScene close = scene;
     close.target = dvec3(1.45, 0.3, 0.5);
     close.field_of_view_rad = 0.22;
-    add(out, close, "Closer", 0.057, 1e-4);
+    add(out, close, "Closer", 0.075, 1e-4);
     out.text =
         "Where corners of the light set, the five points of structured sampling take the light away in "
         "steps: on the "

@@ -37,7 +37,7 @@ Findings run() {
         out, scene, "Tube",
         {{"rectangle plus sphere", by(tube_projected_solid_angle_frostbite), 0.028},
          {"exact", by(tube_projected_solid_angle), 1e-4}},
-        [](const dvec3& n, const dvec3& position) { return illuminance_truth(n, seen_from(position), 4); },
+        [](const dvec3& n, const dvec3& position) { return illuminance_truth(n, seen_from(position), 3); },
         0.6);
     out.text =
         "The paper's facing rectangle plus a sphere at the nearest point comes close from far away and is "

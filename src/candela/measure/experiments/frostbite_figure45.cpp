@@ -50,7 +50,7 @@ Findings run() {
          [](const dvec3& n, const dvec3& position) {
              return dvec3(direction_above_horizon(vec3(n), glm::normalize(to_center(position))));
          },
-         0.05,
+         0.009,
          [] {
              return cost_ns(
                  [](const vec4& u) { return direction_above_horizon(vec3(0.0f, 0.0f, 1.0f), vec3(u)).x; });
@@ -60,7 +60,7 @@ Findings run() {
              return dvec3(disk_representative_direction(vec3(n), to_center(position), vec3(kShines),
                                                         float(kRadius_m)));
          },
-         0.05,
+         0.013,
          [] {
              return cost_ns([](const vec4& u) {
                  return disk_representative_direction(vec3(0.0f, 0.0f, 1.0f),
