@@ -122,15 +122,14 @@ struct RimPieces {
     bool returns;
 };
 
-// normal: the plane's, along the cone's axes, of any length; the rim's height over it is p cos(t - highest) + normal.z.
-FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to) {
+// normal: the plane's, along the cone's axes, of any length; the rim's height over it is p cos(t - highest) + normal.z. Whether the
+// arc's ends are above is for the caller to say, in the same way for every piece of an outline that has this end.
+FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to, bool starts_above, bool ends_above) {
     vec2 slope = vec2(cone.minor * normal.x, cone.major * normal.y);
     float p = length(slope);
     vec2 highest = p > 0.0f ? slope / p : vec2(1.0f, 0.0f);
     float c = clamp(-normal.z / max(p, 1.0e-30f), -1.0f, 1.0f);
     float s = sqrt((1.0f - c) * (1.0f + c));
-    bool starts_above = dot(slope, from) + normal.z >= 0.0f;
-    bool ends_above = dot(slope, to) + normal.z >= 0.0f;
     float turn = turn_between(from, to);
     // A dip or a rise between two ends on the same side has its extreme within the arc.
     vec2 extreme = starts_above ? vec2(-highest.x, -highest.y) : highest;
