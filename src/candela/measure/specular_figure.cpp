@@ -43,7 +43,7 @@ SurfacePoint surface_point(const SphereColumn& column, const vec3& n, const DfgL
 }
 
 double truth(const ShapedLight& light, const SpecularView& view) {
-    return SpecularTruth(view.v.z, view.alpha, view.albedo, 512, 512).integrate(light).value;
+    return SpecularTruth(view.v.z, view.alpha, view.albedo, 384, 256).integrate(light).value;
 }
 
 Picture draw_row(const std::vector<SphereColumn>& columns,

@@ -20,11 +20,12 @@ Findings run() {
     const std::string round = "dominant direction";
     const std::string flat = "dominant direction, not normalized";
     add_specular_figure(out, "Sphere", columns(LightShape::sphere), {round, "transformed cosine"},
-                        {0.2, 0.01});
-    add_specular_figure(out, "Tube", columns(LightShape::tube), {round, "transformed cosine"}, {0.2, 0.01});
-    add_specular_figure(out, "Disk", columns(LightShape::disk), {flat, "transformed cosine"}, {0.5, 0.01});
+                        {0.06, 0.018});
+    add_specular_figure(out, "Tube", columns(LightShape::tube), {round, "transformed cosine"},
+                        {0.035, 0.011});
+    add_specular_figure(out, "Disk", columns(LightShape::disk), {flat, "transformed cosine"}, {0.1, 0.017});
     add_specular_figure(out, "Rectangle", columns(LightShape::rectangle), {flat, "transformed cosine"},
-                        {0.5, 0.01});
+                        {0.12, 0.018});
     out.text =
         "Frostbite's lights: Karis's approach with the lobe's dominant direction; disk and rectangle without "
         "a normalization, as "

@@ -15,7 +15,7 @@ std::vector<SphereColumn> columns() {
 
 Findings run() {
     Findings out;
-    add_specular_figure(out, "Sphere light", columns(), {"specular D modification"}, {0.2});
+    add_specular_figure(out, "Sphere light", columns(), {"specular D modification"}, {0.09});
     out.text =
         "As printed: the widened lobe turns the glossy spheres rough, and the light's round image is lost at "
         "grazing angles.";

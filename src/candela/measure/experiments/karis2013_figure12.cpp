@@ -16,7 +16,7 @@ std::vector<SphereColumn> columns() {
 Findings run() {
     Findings out;
     add_specular_figure(out, "Sphere light", columns(), {"representative point", "transformed cosine"},
-                        {0.2, 0.01});
+                        {0.06, 0.017});
     out.text =
         "The representative point has the light's sharp image, and around it a lobe that is too bright and "
         "too wide where the light is "

@@ -17,7 +17,7 @@ std::vector<SphereColumn> columns() {
 Findings run() {
     Findings out;
     add_specular_figure(out, "Tube light", columns(), {"representative point", "transformed cosine"},
-                        {0.2, 0.01});
+                        {0.05, 0.012});
     out.text =
         "Line and sphere in turn, each with its normalization, make a tube, as printed; how long its image "
         "is on rough metal is what the "
