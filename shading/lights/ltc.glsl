@@ -147,11 +147,14 @@ FN void ltc_outline_arc(INOUT(LtcOutline) o, LtcFrame frame, OrientedCone c, vec
     if (r.returns) o.returns_surface = up;
 }
 
-// Closes the outline along the surface, cut by the cosine's horizon, and then along that.
+// Closes the outline along the surface, cut by the cosine's horizon, and then along that: in its plane, for between nearly
+// opposite directions any height would turn the edge out of it.
 FN float ltc_outline_end(LtcOutline outline, LtcFrame frame) {
     LtcOutline o = outline;
     ltc_outline_cut_edge(o, o.leaves_surface, o.returns_surface);
-    return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, o.leaves_cosine, o.returns_cosine)));
+    vec3 leaves = vec3(o.leaves_cosine.x, o.leaves_cosine.y, 0.0f);
+    vec3 returns = vec3(o.returns_cosine.x, o.returns_cosine.y, 0.0f);
+    return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, leaves, returns)));
 }
 
 // Rectangle of uniform luminance that shines to where right x up points away from. Heitz et al. 2016, section 4.
