@@ -134,21 +134,30 @@ struct RimPieces {
 FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to, bool starts_above, bool ends_above) {
     vec2 slope = vec2(cone.minor * normal.x, cone.major * normal.y);
     float p = length(slope);
+    RimPieces r;
+    r.from0 = from;
+    r.to0 = to;
+    r.from1 = from;
+    r.to1 = to;
+    r.up = from;
+    r.down = to;
+    r.has0 = starts_above;
+    r.has1 = false;
+    r.leaves = false;
+    r.returns = false;
+    if (starts_above == ends_above && abs(normal.z) >= p) return r;
     vec2 highest = p > 0.0f ? slope / p : vec2(1.0f, 0.0f);
     float c = clamp(-normal.z / max(p, 1.0e-30f), -1.0f, 1.0f);
     float s = sqrt((1.0f - c) * (1.0f + c));
     float turn = turn_between(from, to);
     // A dip or a rise between two ends on the same side has its extreme within the arc.
     vec2 extreme = starts_above ? vec2(-highest.x, -highest.y) : highest;
-    bool inside = starts_above == ends_above && abs(normal.z) < p && turn_between(from, extreme) < turn;
-    RimPieces r;
+    bool inside = starts_above == ends_above && turn_between(from, extreme) < turn;
     r.up = vec2(highest.x * c + highest.y * s, highest.y * c - highest.x * s);
     r.down = vec2(highest.x * c - highest.y * s, highest.y * c + highest.x * s);
     r.leaves = inside || (starts_above && !ends_above);
     r.returns = inside || (!starts_above && ends_above);
-    r.from0 = from;
     r.to0 = r.leaves ? r.down : to;
-    r.has0 = starts_above;
     r.from1 = r.up;
     r.to1 = ends_above ? to : r.down;
     r.has1 = r.returns;
