@@ -30,10 +30,11 @@ double ltc(const ShapedLight& light, const SpecularView& view) {
         case LightShape::disk:
             return double(ltc_disk(m, kNormal, view.v, light.center, light.direction(), light.radius));
         case LightShape::rectangle:
-            return double(ltc_rectangle(m, kNormal, view.v, light.center, light.right, light.up, light.half_width,
-                                        light.half_height));
+            return double(ltc_rectangle(m, kNormal, view.v, light.center, light.right, light.up,
+                                        light.half_width, light.half_height));
         default:
-            return double(ltc_tube(m, kNormal, view.v, light.center, light.right, light.half_width, light.radius));
+            return double(
+                ltc_tube(m, kNormal, view.v, light.center, light.right, light.half_width, light.radius));
     }
 }
 
@@ -45,10 +46,11 @@ float illuminance(const ShapedLight& light) {
         case LightShape::disk:
             return disk_projected_solid_angle(kNormal, light.center, light.direction(), light.radius);
         case LightShape::rectangle:
-            return rectangle_projected_solid_angle(kNormal, light.center, light.right, light.up, light.half_width,
-                                                   light.half_height);
+            return rectangle_projected_solid_angle(kNormal, light.center, light.right, light.up,
+                                                   light.half_width, light.half_height);
         default:
-            return tube_projected_solid_angle(kNormal, light.center, light.right, light.half_width, light.radius);
+            return tube_projected_solid_angle(kNormal, light.center, light.right, light.half_width,
+                                              light.radius);
     }
 }
 
@@ -62,7 +64,8 @@ vec3 representative_point(const ShapedLight& light, const vec3& towards) {
             return representative_point_rectangle(light.center, light.right, light.up, light.half_width,
                                                   light.half_height, towards);
         default:
-            return representative_point_tube(light.center, light.right, light.half_width, light.radius, towards);
+            return representative_point_tube(light.center, light.right, light.half_width, light.radius,
+                                             towards);
     }
 }
 
@@ -70,7 +73,8 @@ float normalization(const ShapedLight& light, float alpha) {
     const float distance = length(light.center);
     switch (light.shape) {
         case LightShape::rectangle:
-            return representative_point_rectangle_normalization(alpha, light.half_width, light.half_height, distance);
+            return representative_point_rectangle_normalization(alpha, light.half_width, light.half_height,
+                                                                distance);
         case LightShape::tube:
             return representative_point_tube_normalization(alpha, light.half_width, light.radius, distance);
         default:
@@ -78,8 +82,8 @@ float normalization(const ShapedLight& light, float alpha) {
     }
 }
 
-double highlight(const ShapedLight& light, const SpecularView& view, const vec3& point, float distribution_alpha,
-                 float factor) {
+double highlight(const ShapedLight& light, const SpecularView& view, const vec3& point,
+                 float distribution_alpha, float factor) {
     return double(factor * specular_at_point(kNormal, view.v, point, view.alpha, distribution_alpha) *
                   illuminance(light) / view.albedo);
 }
@@ -132,15 +136,18 @@ std::vector<SpecularTechnique> specular_techniques(LightShape shape) {
                                         : "Heitz & Hill 2017; own fit, cut at the surface",
          ltc},
         {"representative_point_" + name, "representative point",
-         flat ? "Karis 2013, equation 20, applied to both directions (own)" : "Karis 2013, \"Representative Point\"",
+         flat ? "Karis 2013, equation 20, applied to both directions (own)"
+              : "Karis 2013, \"Representative Point\"",
          karis},
-        {"representative_point_" + name + ", dominant direction", "dominant direction", "Frostbite, section 4.7.5",
-         karis_dominant}};
+        {"representative_point_" + name + ", dominant direction", "dominant direction",
+         "Frostbite, section 4.7.5", karis_dominant}};
     if (flat)
-        out.push_back({"representative_point_" + name + ", not normalized", "dominant direction, not normalized",
-                       "Frostbite, section 4.7.5", without_normalization});
+        out.push_back({"representative_point_" + name + ", not normalized",
+                       "dominant direction, not normalized", "Frostbite, section 4.7.5",
+                       without_normalization});
     if (shape == LightShape::sphere)
-        out.push_back({"alpha_widened_by_sphere", "specular D modification", "Karis 2013, equation 10", widened});
+        out.push_back(
+            {"alpha_widened_by_sphere", "specular D modification", "Karis 2013, equation 10", widened});
     if (shape == LightShape::tube)
         out.push_back({"representative_share_of_line_by_angle", "smallest angle", "Karis 2013, equation 18",
                        tube_by_angle});

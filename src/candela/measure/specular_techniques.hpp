@@ -6,7 +6,8 @@
 
 #include "candela/measure/specular_truth.hpp"
 
-/// The estimates of shading/lights/ for the reflection of an area light, in the frame and the unit of SpecularTruth.
+/// The estimates of shading/lights/ for the reflection of an area light, in the frame and the unit of
+/// SpecularTruth.
 namespace candela::measure {
 
 struct SpecularView {
@@ -22,8 +23,8 @@ struct SpecularTechnique {
     std::function<double(const ShapedLight&, const SpecularView&)> estimate;
 };
 
-/// Those of a shape; linearly transformed cosines first, then Karis's representative point with its normalization, which is what
-/// they are compared with.
+/// Those of a shape; linearly transformed cosines first, then Karis's representative point with its
+/// normalization, which is what they are compared with.
 [[nodiscard]] std::vector<SpecularTechnique> specular_techniques(LightShape shape);
 
 [[nodiscard]] std::string name_of(LightShape shape);

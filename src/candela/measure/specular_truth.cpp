@@ -53,10 +53,9 @@ double on_flat(const ShapedLight& light, const vec3& l) {
     if (facing <= 0.0f || height <= 0.0f) return 0.0;
     const float distance = height / facing;
     const vec3 at = distance * l - light.center;
-    const bool hit = light.shape == LightShape::disk
-                         ? dot(at, at) <= light.radius * light.radius
-                         : std::abs(dot(at, light.right)) <= light.half_width &&
-                               std::abs(dot(at, light.up)) <= light.half_height;
+    const bool hit = light.shape == LightShape::disk ? dot(at, at) <= light.radius * light.radius
+                                                     : std::abs(dot(at, light.right)) <= light.half_width &&
+                                                           std::abs(dot(at, light.up)) <= light.half_height;
     return hit ? double(distance) * double(distance) / double(facing) : 0.0;
 }
 
@@ -127,19 +126,22 @@ LightSample sample_light(const ShapedLight& light, const vec2& u) {
         const float r = light.radius * std::sqrt(u.x);
         at += r * (cos(TWO_PI * u.y) * light.right + sin(TWO_PI * u.y) * light.up);
     } else if (light.shape == LightShape::rectangle) {
-        at += (2.0f * u.x - 1.0f) * light.half_width * light.right + (2.0f * u.y - 1.0f) * light.half_height * light.up;
+        at += (2.0f * u.x - 1.0f) * light.half_width * light.right +
+              (2.0f * u.y - 1.0f) * light.half_height * light.up;
     } else {
         at = point_on_tube(light, u);
     }
     out.l = normalize(at);
     if (light.shape != LightShape::tube) {
-        out.pdf = double(dot(at, at)) / (double(max(-dot(light.direction(), out.l), 1.0e-9f)) * area_m2(light));
+        out.pdf =
+            double(dot(at, at)) / (double(max(-dot(light.direction(), out.l), 1.0e-9f)) * area_m2(light));
         if (dot(light.direction(), out.l) >= 0.0f) out.pdf = 0.0;
         return out;
     }
     // Only the near side is seen; a convex body shows all of it.
-    const vec3 foot = light.center +
-                      clamp(dot(at - light.center, light.right), -light.half_width, light.half_width) * light.right;
+    const vec3 foot =
+        light.center +
+        clamp(dot(at - light.center, light.right), -light.half_width, light.half_width) * light.right;
     const double facing = -double(dot(at - foot, out.l)) / double(light.radius);
     out.pdf = facing > 1.0e-6 ? double(dot(at, at)) / (facing * area_m2(light)) : 0.0;
     return out;
@@ -166,13 +168,17 @@ bool contains_receiver(const ShapedLight& light) {
     return length(nearest) <= 1.001f * light.radius;
 }
 
-SpecularTruth::SpecularTruth(float NoV, float alpha, int lobe_samples, int light_samples)
+float specular_albedo(float NoV, float alpha) {
+    const vec2 scale_and_bias = integrate_ggx_albedo(NoV, std::sqrt(alpha), 4096u);
+    return scale_and_bias.x + scale_and_bias.y;
+}
+
+SpecularTruth::SpecularTruth(float NoV, float alpha, float albedo, int lobe_samples, int light_samples)
     : v_(-std::sqrt((1.0f - NoV) * (1.0f + NoV)), 0.0f, NoV),
       alpha_(alpha),
+      albedo_(albedo),
       lobe_count_(lobe_samples),
       light_count_(light_samples) {
-    const vec2 ab = integrate_ggx_albedo(NoV, std::sqrt(alpha), 4096u);
-    albedo_ = ab.x + ab.y;
     for (int i = 0; i < lobe_samples; ++i) {
         const vec3 h = sample_ggx_vndf(sobol_owen(uint(i), 17u), v_, alpha);
         const vec3 l = 2.0f * dot(v_, h) * h - v_;
@@ -184,7 +190,8 @@ SpecularTruth::SpecularTruth(float NoV, float alpha, int lobe_samples, int light
 
 double SpecularTruth::lobe(const vec3& l) const {
     const vec3 n(0.0f, 0.0f, 1.0f);
-    return double(D_GGX(n, normalize(v_ + l), alpha_) * V_SmithGGXCorrelated(v_.z, l.z, alpha_) * l.z / albedo_);
+    return double(D_GGX(n, normalize(v_ + l), alpha_) * V_SmithGGXCorrelated(v_.z, l.z, alpha_) * l.z /
+                  albedo_);
 }
 
 double SpecularTruth::pdf(const vec3& l) const {
@@ -200,7 +207,9 @@ SpecularIntegral SpecularTruth::integrate(const ShapedLight& light) const {
         const LobeSample& s = lobe_[i];
         if (s.density <= 0.0) continue;
         const double light_pdf = per_measure * square_metres_per_steradian(light, s.l);
-        if (light_pdf > 0.0) halves[2 * i < lobe_.size() ? 0 : 1] += s.density / (lobe_count_ * s.pdf + light_count_ * light_pdf);
+        if (light_pdf > 0.0)
+            halves[2 * i < lobe_.size() ? 0 : 1] +=
+                s.density / (lobe_count_ * s.pdf + light_count_ * light_pdf);
     }
     for (int i = 0; i < light_count_; ++i) {
         const LightSample s = sample_light(light, sobol_owen(uint(i), 29u));
