@@ -22,5 +22,6 @@ void write_grey_plane(const std::filesystem::path& folder);
 void write_still_life(const std::filesystem::path& folder);
 void write_lamps(const std::filesystem::path& folder);
 void write_room(const std::filesystem::path& folder);
+void write_light_shelf(const std::filesystem::path& folder);
 
 }  // namespace candela::scenes

@@ -14,7 +14,7 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(p.dfg),
             bits(p.reflection),
             bits(variant.layers),
-            bits(variant.lights),
+            variant.light_kinds,
             bits(frame.has_environment),
             bits(variant.shading_class),
             bits(variant.emissive),
@@ -27,7 +27,7 @@ std::vector<VkDescriptorType> shading_set_layout() {
     return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -37,11 +37,13 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
-            gpu::bind_buffer(frame.environment_distribution)};
+            gpu::bind_buffer(frame.environment_distribution),
+            gpu::bind_buffer(scene.all_lights)};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
     commands.use(scene.lights, gpu::Use::storage_read);
+    commands.use(scene.all_lights, gpu::Use::storage_read);
     commands.use(frame.dfg, gpu::Use::sampled);
     commands.use(frame.environment.specular, gpu::Use::sampled);
     commands.use(frame.environment.irradiance, gpu::Use::sampled);

@@ -96,13 +96,13 @@ struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
     bool layers = false;
-    bool lights = false;
+    std::uint32_t light_kinds = 0;
     bool emissive = false;
     bool forward = false;
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...6 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...7 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

@@ -74,9 +74,11 @@ class GpuScene {
 
     gpu::Buffer vertices;
     gpu::Buffer indices;
-    gpu::Buffer materials;  ///< uniform blocks, material_stride apart
-    gpu::Buffer lights;     ///< storage
+    gpu::Buffer materials;   ///< uniform blocks, material_stride apart
+    gpu::Buffer lights;      ///< storage, LightBlock each, sorted by kind
+    gpu::Buffer all_lights;  ///< storage, light_entries()
     std::uint32_t light_count = 0;
+    std::uint32_t light_kinds = 0;  ///< LightList::kinds
     std::vector<Draw> draws;
     std::vector<BlendedSurface> blended_surfaces;
     bool any_emissive = false;  ///< emissive or unlit surfaces among the opaque draws

@@ -9,19 +9,19 @@ layout(constant_id = 11) const uint kShadingClass = 1u;
 layout(constant_id = 12) const bool kHasEmissive = false;
 layout(constant_id = 13) const bool kWriteAovs = false;
 
-layout(set = 0, binding = 7) uniform usampler2D gbuffer_image;
-layout(set = 0, binding = 8) uniform usampler2D layers_image;
-layout(set = 0, binding = 9) uniform sampler2D depth_image;
-layout(set = 0, binding = 10, LIGHT_FORMAT) uniform image2D light_image;
-layout(set = 0, binding = 11, std430) readonly buffer Tiles {
+layout(set = 0, binding = FIRST_PASS_BINDING + 0) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 1) uniform usampler2D layers_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 2) uniform sampler2D depth_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 3, LIGHT_FORMAT) uniform image2D light_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 4, std430) readonly buffer Tiles {
     uvec4 dispatch[kClassCount];
     uint list[];
 } tiles;
-layout(set = 0, binding = 12, rgba32f) writeonly uniform image2D direct_diffuse_image;
-layout(set = 0, binding = 13, rgba32f) writeonly uniform image2D direct_specular_image;
-layout(set = 0, binding = 14, rgba32f) writeonly uniform image2D indirect_diffuse_image;
-layout(set = 0, binding = 15, rgba32f) writeonly uniform image2D indirect_specular_image;
-layout(set = 0, binding = 16, rgba32f) writeonly uniform image2D emissive_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 5, rgba32f) writeonly uniform image2D direct_diffuse_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 6, rgba32f) writeonly uniform image2D direct_specular_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 7, rgba32f) writeonly uniform image2D indirect_diffuse_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
+layout(set = 0, binding = FIRST_PASS_BINDING + 9, rgba32f) writeonly uniform image2D emissive_image;
 
 void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
     imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));

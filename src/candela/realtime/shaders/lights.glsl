@@ -1,4 +1,4 @@
-// The lights of the scene. C++: LightBlock in gpu_scene.cpp.
+// The lights of the scene. C++: LightBlock in light_list.hpp.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
 
@@ -15,7 +15,7 @@ struct Light {
     ivec4 links;          // x kTwoSided | ..., y row of the profile or layer of the image, z shadow; -1: none
 };
 
-// C++: scene::LightType.
+// C++: LightKind in light_list.hpp; the first ten are those of scene::LightType.
 const int kLightPoint = 0;
 const int kLightSpot = 1;
 const int kLightDirectional = 2;
@@ -26,25 +26,33 @@ const int kLightSphere = 6;
 const int kLightDisk = 7;
 const int kLightRectangle = 8;
 const int kLightTube = 9;
+const uint kEndOfLights = 0u;
 
 // Of links.x.
 const int kLightTwoSided = 1;
 const int kLightLimbDarkening = 2;
 
-// Direction to the light and the illuminance per channel (lx) that it gives on a plane facing it.
-vec3 perpendicular_illuminance(Light light, vec3 position, out vec3 l) {
-    int type = int(light.color_type.w);
-    if (type == kLightDirectional) {
+// Of lights without extent: the direction to the light and the illuminance per channel (lx) that it gives on a plane
+// facing it. What needs no profile, no angle, no distance does without when `kind` is a constant.
+vec3 perpendicular_illuminance(int kind, Light light, vec3 position, out vec3 l) {
+    if (kind == kLightDirectional || kind == kLightSun) {
         l = -light.direction_a.xyz;
         return light.color_type.rgb;
     }
     vec3 to_light = light.position_range.xyz - position;
     l = to_light * inversesqrt(max(dot(to_light, to_light), 1e-12));
-    float range_m = light.position_range.w;
-    float attenuation = distance_attenuation(to_light, range_m);
-    if (type == kLightSpot) {
+    float attenuation = distance_attenuation(to_light, light.position_range.w);
+    if (kind == kLightSpot) {
         float cos_angle = dot(-l, light.direction_a.xyz);
         attenuation *= angle_attenuation(cos_angle, light.direction_a.w, light.right_b.w);
+    }
+    if (kind == kLightFrustum) {
+        // Through the opening of the pyramid, one metre from its apex.
+        float along = -dot(to_light, light.direction_a.xyz);
+        float x = abs(dot(to_light, light.right_b.xyz));
+        float y = abs(dot(to_light, cross(light.right_b.xyz, light.direction_a.xyz)));
+        bool inside = x <= along * light.direction_a.w && y <= along * light.right_b.w;
+        attenuation = inside ? attenuation : 0.0;
     }
     return light.color_type.rgb * attenuation;
 }

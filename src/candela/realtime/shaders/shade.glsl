@@ -19,8 +19,10 @@ layout(constant_id = 6) const int kDfg = 0;
 layout(constant_id = 7) const int kReflection = 0;
 // What this variant has to do at all.
 layout(constant_id = 8) const bool kShadeLayers = false;
-layout(constant_id = 9) const bool kHasLights = false;
+layout(constant_id = 9) const uint kLightKinds = 0u;  // bit (1 << kind) of every kind of light in the scene
 layout(constant_id = 10) const bool kHasEnvironment = false;
+
+const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgEnvBrdfApprox = 1;
 const int kReflectionDominant = 1;
@@ -30,6 +32,8 @@ layout(set = 0, binding = 2) uniform sampler2D dfg_table;
 layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
 layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
 layout(set = 0, binding = 5) uniform sampler2D background_map;
+layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_entries[]; };
+#define FIRST_PASS_BINDING 8  // of what only the including pass has
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -90,18 +94,7 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
     }
 }
 
-// A light without extent needs no estimate: its integral is one product.
-void add_punctual_light(Light light, SurfacePoint p, inout Lit lit) {
-    vec3 l;
-    vec3 perpendicular_lx = perpendicular_illuminance(light, p.position, l);
-    float NoL = saturate(dot(p.g.normal, l));
-    vec3 diffuse;
-    vec3 specular;
-    evaluate(p, l, NoL, diffuse, specular);
-    vec3 illuminance_lx = perpendicular_lx * NoL;
-    lit.direct_diffuse += diffuse * illuminance_lx;
-    lit.direct_specular += specular * illuminance_lx;
-}
+#include "light_loop.glsl"
 
 // Prefiltered environment about the lobe's direction, in cd/m^2.
 vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
@@ -140,9 +133,7 @@ void add_environment(SurfacePoint p, inout Lit lit) {
 Lit shade(GBuffer g, vec3 position, vec3 v) {
     SurfacePoint p = surface_point(g, position, v);
     Lit lit = kNoLight;
-    if (kHasLights) {
-        for (int i = 0; i < frame.size.z; ++i) add_punctual_light(lights[i], p, lit);
-    }
+    if (kHasLights) add_lights(p, 0u, lit);
     if (kHasEnvironment) add_environment(p, lit);
     return lit;
 }
