@@ -143,23 +143,6 @@ FN float disk_lx_from_nit(float luminance_nit, float radius_m, float distance_m)
     return luminance_nit * PI * square(radius_m) / (square(radius_m) + square(distance_m));
 }
 
-// The same for a rectangle, on its axis: four times the configuration factor of a quarter whose corner is
-// there (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
-FN float rectangle_lx_from_nit(float luminance_nit, float width_m, float height_m, float distance_m) {
-    float a = 0.5f * width_m / distance_m;
-    float b = 0.5f * height_m / distance_m;
-    float ra = sqrt(1.0f + a * a);
-    float rb = sqrt(1.0f + b * b);
-    return 2.0f * luminance_nit * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
-}
-
-// The same for a line, across its middle: the integral of the elements' sin^2 / r^2 along it. Own derivation.
-// intensity_cd: of the whole line, perpendicular to it.
-FN float line_lx_from_cd(float intensity_cd, float length_m, float distance_m) {
-    float a = 0.5f * length_m;
-    return intensity_cd / length_m * (a / (a * a + square(distance_m)) + atan(a / distance_m) / distance_m);
-}
-
 CANDELA_SHADING_END
 
 #endif

@@ -291,7 +291,13 @@ TEST(WriteGltf, ProfilesKeepTheirWeb) {
     four_planes.replace(four_planes.find(head), head.size(), planes);
     four_planes.replace(four_planes.find("\r\n0\r\n100 50 0"), std::string::npos,
                         "\r\n0 90 180 270 360\r\n100 50 0.1 100 33.3333 0 100 40 7 100 20 3 100 50 0.1\r\n");
-    for (const std::string& text : {small_ies(), four_planes}) {
+    // Light to 90 degrees, and abruptly none beyond; the same upwards.
+    std::string down = small_ies(), up = small_ies();
+    down.replace(down.find("0 90 180"), 8, "0 45 90");
+    down.replace(down.find("100 50 0"), 8, "100 80 50");
+    up.replace(up.find("0 90 180"), 8, "90 135 180");
+    up.replace(up.find("100 50 0"), 8, "50 80 100");
+    for (const std::string& text : {small_ies(), four_planes, down, up}) {
         Diagnostics diagnostics;
         const auto read = [&](const std::string& bytes) {
             return io::load_photometric_from_memory(std::as_bytes(std::span(bytes.data(), bytes.size())),

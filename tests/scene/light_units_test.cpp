@@ -136,6 +136,8 @@ TEST(LightUnits, ALineIsAThinTube) {
     tube.intensity = intensity_from(tube, {1000.0f, LightUnit::lumen}, "here");
     line.intensity = intensity_from(line, {1000.0f, LightUnit::lumen}, "here");
     EXPECT_NEAR(*quantities(tube).intensity_cd, line.intensity, 1e-3f * line.intensity);
+    const float line_lx = *quantities(line).illuminance_at_1m_lx;
+    EXPECT_NEAR(*quantities(tube).illuminance_at_1m_lx, line_lx, 2e-3f * line_lx);
 }
 
 TEST(LightUnits, ColourCountsWithItsLuminance) {

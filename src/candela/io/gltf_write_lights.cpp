@@ -117,8 +117,10 @@ class LightWriter {
         if (!light.name.empty()) out["name"] = light.name;
         out["intensity"] = light.intensity * color_and_factor(light, out);
         if (std::isfinite(light.range_m) && !scene::is_distant(light.type)) out["range"] = light.range_m;
+        // The specification wants the inner cone narrower, be it by one digit.
         if (light.type == LightType::spot)
-            out["spot"] = {{"innerConeAngle", light.inner_cone_rad},
+            out["spot"] = {{"innerConeAngle",
+                            std::min(light.inner_cone_rad, std::nextafter(light.outer_cone_rad, 0.0f))},
                            {"outerConeAngle", light.outer_cone_rad}};
         json& lights = list("KHR_lights_punctual");
         lights.push_back(std::move(out));

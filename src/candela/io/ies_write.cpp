@@ -67,6 +67,27 @@ void append_keywords(const scene::PhotometricProfile& profile, std::string& out)
     }
 }
 
+/// The rows of the web that the file has. Where light ends abruptly, the web has the angle twice and is dark
+/// beyond; a file ends there, and is dark beyond by that.
+struct Rows {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+Rows rows_of(const std::vector<double>& vertical_deg) {
+    const std::size_t n = vertical_deg.size();
+    Rows rows{0, n};
+    if (n >= 3 && vertical_deg[1] == vertical_deg[2]) rows.first = 2;
+    if (n >= rows.first + 3 && vertical_deg[n - 2] == vertical_deg[n - 3]) rows.end = n - 2;
+    return rows;
+}
+
+template <class T>
+std::vector<T> slice(const std::vector<T>& from, std::size_t first, std::size_t end) {
+    return {from.begin() + static_cast<std::ptrdiff_t>(first),
+            from.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
 }  // namespace
 
 std::string ies_text(const scene::PhotometricProfile& profile) {
@@ -79,18 +100,15 @@ std::string ies_text(const scene::PhotometricProfile& profile) {
     const double watts =
         profile.lamp_sets.empty() ? 0.0 : profile.lamp_sets[profile.lamp_set].power_w.value_or(0.0);
     // One lamp, absolute (-1 lm), multiplier 1, type C, metres; ballast factor and the reserved number are 1.
-    out += "1 -1 1 " + std::to_string(profile.vertical_deg.size()) + " " + std::to_string(planes) + " 1 2 " +
+    const Rows rows = rows_of(profile.vertical_deg);
+    out += "1 -1 1 " + std::to_string(rows.end - rows.first) + " " + std::to_string(planes) + " 1 2 " +
            number(side * profile.opening_m.y) + " " + number(side * profile.opening_m.x) + " " +
            number(profile.opening_m.z) + "\r\n1 1 " + number(watts) + "\r\n";
-    append_numbers(profile.vertical_deg, out);
-    append_numbers(std::vector<double>(profile.horizontal_deg.begin(),
-                                       profile.horizontal_deg.begin() + static_cast<std::ptrdiff_t>(planes)),
-                   out);
-    const std::size_t rows = profile.vertical_deg.size();
-    for (std::size_t plane = 0; plane < planes; ++plane) {
-        const auto first = profile.candela.begin() + static_cast<std::ptrdiff_t>(plane * rows);
-        append_numbers(std::vector<float>(first, first + static_cast<std::ptrdiff_t>(rows)), out);
-    }
+    append_numbers(slice(profile.vertical_deg, rows.first, rows.end), out);
+    append_numbers(slice(profile.horizontal_deg, 0, planes), out);
+    const std::size_t height = profile.vertical_deg.size();
+    for (std::size_t plane = 0; plane < planes; ++plane)
+        append_numbers(slice(profile.candela, plane * height + rows.first, plane * height + rows.end), out);
     return out;
 }
 

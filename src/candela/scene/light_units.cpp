@@ -4,7 +4,10 @@
 
 #include "candela/scene/error.hpp"
 #include "shading/color_temperature.glsl"
+#include "shading/lights/line.glsl"
 #include "shading/lights/punctual.glsl"
+#include "shading/lights/rectangle.glsl"
+#include "shading/lights/tube.glsl"
 #include "shading/lights/units.glsl"
 
 namespace candela::scene {
@@ -61,9 +64,9 @@ float projected_area(const Light& l) {
     }
 }
 
-/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light, and of tubes,
-/// whose illuminance has no closed form.
+/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light.
 std::optional<float> lx_at_1m(const Light& l) {
+    const glm::vec3 n(0.0f, 0.0f, 1.0f), x(1.0f, 0.0f, 0.0f), y(0.0f, 1.0f, 0.0f);
     const float window = shading::window_attenuation(1.0f, l.range_m);
     switch (l.type) {
         case LightType::point:
@@ -71,7 +74,7 @@ std::optional<float> lx_at_1m(const Light& l) {
         case LightType::frustum:
             return window * shading::lx_from_cd(1.0f, 1.0f);
         case LightType::line:
-            return window * shading::line_lx_from_cd(1.0f, 2.0f * l.half_width_m, 1.0f);
+            return window * shading::line_illuminance(n, n, x, l.half_width_m);
         case LightType::sphere:
             if (l.radius_m >= 1.0f) return std::nullopt;
             return window * shading::sphere_lx_from_nit(1.0f, l.radius_m, 1.0f);
@@ -79,10 +82,15 @@ std::optional<float> lx_at_1m(const Light& l) {
             return window * shading::disk_lx_from_nit(1.0f, l.radius_m, 1.0f);
         case LightType::rectangle:
             return window *
-                   shading::rectangle_lx_from_nit(1.0f, 2.0f * l.half_width_m, 2.0f * l.half_height_m, 1.0f);
-        default:
-            return std::nullopt;
+                   shading::rectangle_projected_solid_angle(n, n, x, y, l.half_width_m, l.half_height_m);
+        case LightType::tube:
+            if (l.radius_m >= 1.0f) return std::nullopt;
+            return window * shading::tube_projected_solid_angle(n, n, x, l.half_width_m, l.radius_m);
+        case LightType::directional:
+        case LightType::sun:
+            break;
     }
+    return std::nullopt;
 }
 
 std::string hint_for(LightType type, LightUnit unit) {
