@@ -140,15 +140,6 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     }
 }
 
-bool has_emissive_surface(const scene::Scene& scene) {
-    for (const scene::Instance& instance : scene.instances) {
-        for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives) {
-            if (scene.materials[p.material].emissive_nit != glm::vec3(0.0f)) return true;
-        }
-    }
-    return false;
-}
-
 glm::vec3 vector_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
@@ -271,11 +262,6 @@ Job prepare(const JobOptions& options) {
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);
     return job;
-}
-
-void warn_of_dark_emission(Job& job) {
-    if (job.scene.environment || !job.scene.lights.empty() || !has_emissive_surface(job.scene)) return;
-    job.diagnostics.warn("emissive surfaces show, but light nothing in this mode (--mode path)");
 }
 
 gpu::DeviceOptions device_options(const JobOptions& options) {

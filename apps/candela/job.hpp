@@ -60,9 +60,6 @@ struct Job {
 /// every mode, so that their pictures can be compared. Throws Error.
 [[nodiscard]] Job prepare(const JobOptions& options);
 
-/// A warning for modes in which emissive surfaces only show, when they are all the light there is.
-void warn_of_dark_emission(Job& job);
-
 [[nodiscard]] gpu::DeviceOptions device_options(const JobOptions& options);
 
 /// Prints each warning once, with its count, to standard error.

@@ -179,7 +179,6 @@ int meter(const MeterOptions& options) {
         throw Error(Fault::usage, "only the path tracer follows light further", "--direct-only",
                     "--mode path");
     Job job = prepare(options.job);
-    if (options.mode != "path") warn_of_dark_emission(job);
     aim(job, options, way);
     const Reading reading =
         options.mode == "path" ? read_by_path(job, options) : read_on_device(job, options, way);

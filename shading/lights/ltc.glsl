@@ -172,6 +172,19 @@ FN float ltc_rectangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, ve
     return ltc_outline_end(o, frame);
 }
 
+// Triangle of uniform luminance, its corners counterclockwise as the receiver sees them.
+FN float ltc_triangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 a, vec3 b, vec3 c) {
+    LtcFrame frame = ltc_frame(inverse_matrix, n, v);
+    vec3 p = frame.to_cosine * a;
+    vec3 q = frame.to_cosine * b;
+    vec3 r = frame.to_cosine * c;
+    LtcOutline o = ltc_outline_begin();
+    ltc_outline_edge(o, frame, p, q);
+    ltc_outline_edge(o, frame, q, r);
+    ltc_outline_edge(o, frame, r, p);
+    return ltc_outline_end(o, frame);
+}
+
 // A whole cone of directions.
 FN float ltc_cone(LtcFrame frame, OrientedCone c) {
     vec3 horizon = vec3(dot(frame.horizon, c.first), dot(frame.horizon, c.second), dot(frame.horizon, c.axis));

@@ -22,6 +22,9 @@ layout(constant_id = 8) const bool kShadeLayers = false;
 layout(constant_id = 9) const uint kLightKinds = 0u;  // bit (1 << kind) of every kind of light in the scene
 layout(constant_id = 10) const bool kHasEnvironment = false;
 
+layout(constant_id = 16) const bool kCulledLights = false;
+layout(constant_id = 17) const int kAreaDiffuse = 0;
+layout(constant_id = 18) const int kAreaSpecular = 0;
 const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgEnvBrdfApprox = 1;
@@ -33,7 +36,10 @@ layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
 layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
 layout(set = 0, binding = 5) uniform sampler2D background_map;
 layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_entries[]; };
-#define FIRST_PASS_BINDING 8  // of what only the including pass has
+layout(set = 0, binding = 8, std430) readonly buffer Profiles { float profile_cd[]; };
+layout(set = 0, binding = 9) uniform sampler2D ltc_table;
+// Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
+const int kShadingBindings = 10;
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -52,6 +58,15 @@ vec4 directional_albedo(float NoV, float perceptual_roughness) {
     return textureLod(dfg_table, dfg_uv(NoV, perceptual_roughness), 0.0);
 }
 
+// What area lights need of a surface point (prepare_area_lights).
+struct AreaSurface {
+    mat3 ltc;
+    mat3 coat_ltc;
+    float coat;          // times a coat's highlight: what it reflects
+    float under_coat;    // what reaches the sheen
+    float under_layers;  // what reaches the base
+};
+
 // A surface point and its viewer, with what does not depend on the light. v is a unit vector.
 struct SurfacePoint {
     GBuffer g;
@@ -61,6 +76,7 @@ struct SurfacePoint {
     vec3 bitangent;
     float NoV;
     vec4 dfg;
+    AreaSurface area;
 };
 
 SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
@@ -130,10 +146,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
                             w.sheen * irradiance_over_pi * g.occlusion;
 }
 
-Lit shade(GBuffer g, vec3 position, vec3 v) {
+// first_light: of the list that holds for this point (light_loop.glsl).
+Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light) {
     SurfacePoint p = surface_point(g, position, v);
     Lit lit = kNoLight;
-    if (kHasLights) add_lights(p, 0u, lit);
+    if (kHasLights) add_lights(p, first_light, lit);
     if (kHasEnvironment) add_environment(p, lit);
     return lit;
 }
