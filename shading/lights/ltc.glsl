@@ -262,6 +262,15 @@ FN float ltc_tube(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 ax
     return ltc_outline_end(o, frame);
 }
 
+// A line without thickness, per metre of radius: its integral times the radius is a thin tube's. Heitz & Hill 2017, section 3, integrate
+// along the line; here it is a tube of a thousandth of the distance, which no lobe of this model resolves (its
+// half width is 2 kMinAlpha) and whose outline's two long edges still differ by four digits.
+FN float ltc_line(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 axis, float half_length_m) {
+    float along_m = clamp(-dot(to_center_m, axis), -half_length_m, half_length_m);
+    float radius_m = 1.0e-3f * max(length(to_center_m + along_m * axis), 1.0e-6f);
+    return ltc_tube(inverse_matrix, n, v, to_center_m, axis, half_length_m, radius_m) / radius_m;
+}
+
 CANDELA_SHADING_END
 
 #endif

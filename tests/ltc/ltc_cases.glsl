@@ -92,15 +92,14 @@ FN vec4 case_sun(NUMBERS) {
 
 CANDELA_SHADING_END
 
-// The matrix of a smooth surface, 1/32, multiplies the digits that the directions lost; the outline's pieces cancel
-// where little of the cosine is left; the nearest point jumps with a ray along the segment.
-#define LTC_CASES(X)                 \
-    X(case_ltc_matrix, 1e-5f)        \
-    X(case_ltc_density, 2e-4f)       \
-    X(case_ltc_flat, 5e-5f)          \
-    X(case_ltc_round, 1e-4f)         \
-    X(case_representative_tube, 2e-2f) \
-    X(case_representative_points, 2e-3f) \
+// The outline's pieces cancel where little of the cosine is left; the share of a line is a quotient of differences.
+#define LTC_CASES(X)                   \
+    X(case_ltc_matrix, 1e-5f)          \
+    X(case_ltc_density, 3e-5f)         \
+    X(case_ltc_flat, 3e-5f)            \
+    X(case_ltc_round, 5e-5f)           \
+    X(case_representative_tube, 2e-4f) \
+    X(case_representative_points, 1e-5f) \
     X(case_sun, 1e-5f)
 
 #endif

@@ -300,5 +300,32 @@ TEST(Ltc, ATubeWithoutLengthIsASphere) {
     }
 }
 
+TEST(Ltc, ALineIsTheIntegralAlongItAndTheLimitOfThinTubes) {
+    for (uint k = 0; k < 60; ++k) {
+        const Case c = random_case(LightShape::tube, k, 0.0f);
+        const float roughness = 0.5f + 0.5f * c.perceptual_roughness;
+        const mat3 m = table_matrix(c.NoV, roughness);
+        const vec3 v = view_at(c.NoV);
+        double sum = 0.0;
+        constexpr int count = 4000;
+        for (int i = 0; i < count; ++i) {
+            const float t = (2.0f * (float(i) + 0.5f) / count - 1.0f) * c.light.half_width;
+            const vec3 at = c.light.center + t * c.light.right;
+            const float distance2 = dot(at, at);
+            const vec3 l = at / std::sqrt(distance2);
+            // A cylinder of radius 1 shows 2 times the sine of the angle to its axis per length.
+            const float width = 2.0f * length(cross(l, c.light.right));
+            if (l.z > 0.0f) sum += double(ltc_density(m, kNormal, v, l) * width / distance2);
+        }
+        const double line = sum * 2.0 * double(c.light.half_width) / count;
+        const float found = ltc_line(m, kNormal, v, c.light.center, c.light.right, c.light.half_width);
+        EXPECT_NEAR(found, line, 0.03 * line + 2.0e-3) << k;
+        const float thin = 0.01f * length(c.light.center);
+        EXPECT_NEAR(ltc_tube(m, kNormal, v, c.light.center, c.light.right, c.light.half_width, thin) / thin,
+                    line, 0.15 * line + 0.02)
+            << k;
+    }
+}
+
 }  // namespace
 }  // namespace candela::measure
