@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "candela/measure/flip_rgb.hpp"
+#include "candela/measure/numerics.hpp"
 #include "shading/tone_curves.glsl"
 #include "shading/transfer.glsl"
 
@@ -86,15 +87,18 @@ void add_lit_figure(Findings& out, const LitScene& scene, const std::string& tit
     const Picture reference = render(scene, truth, white);
     std::vector<Picture> pictures;
     std::string caption = "From left: ";
+    Table table{title + ": difference from the truth as seen", {"technique", "mean FLIP"}, {}};
     for (const LabelledIlluminance& t : techniques) {
         pictures.push_back(render(scene, t.illuminance, white));
         const double flip =
             mean_flip_of_srgb(pictures.back().rgb, reference.rgb, reference.width, reference.height);
         out.measured.push_back(at_most(title + ", " + t.label + ": mean FLIP", flip, t.flip_at_most));
+        table.rows.push_back({t.label, number(flip, 3)});
         caption += t.label + "; ";
     }
     pictures.push_back(reference);
     out.pictures.push_back(beside(pictures, title, caption + "truth."));
+    out.tables.push_back(std::move(table));
 }
 
 double ray_to_sphere(const dvec3& origin, const dvec3& direction, const dvec3& center, double radius) {

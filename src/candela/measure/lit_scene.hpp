@@ -43,7 +43,8 @@ struct LabelledIlluminance {
     double flip_at_most = 0.0;
 };
 
-/// Adds a picture of these techniques and the truth, in this order, and the mean FLIP of each.
+/// Adds a picture of these techniques and the truth, in this order, and the mean FLIP of each, as a number
+/// and in a table.
 void add_lit_figure(Findings& out, const LitScene& scene, const std::string& title,
                     const std::vector<LabelledIlluminance>& techniques, const Illuminance& truth,
                     double white);

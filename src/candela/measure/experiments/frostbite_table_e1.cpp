@@ -377,7 +377,8 @@ Findings run() {
         "to single "
         "precision on both sides: the rectangle clipped at the horizon, which the paper held too costly, "
         "costs "
-        "what structured sampling costs, and the oriented disk and the capsule, for which it knew no form, "
+        "about what structured sampling costs, and the oriented disk and the capsule, for which it knew no "
+        "form, "
         "have one.";
     return out;
 }
