@@ -1,5 +1,7 @@
 #include "scene_files.hpp"
 
+#include <map>
+
 #include "candela/scene/error.hpp"
 
 namespace candela::app {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "gltf_builder.hpp"
 
 /// Scenes whose lights come from the extensions.

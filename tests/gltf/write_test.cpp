@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "candela/io/gltf_write.hpp"
 #include "candela/io/ies_write.hpp"

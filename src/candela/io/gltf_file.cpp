@@ -1,6 +1,7 @@
 #include "candela/io/gltf_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "candela/io/image_write.hpp"
 #include "candela/scene/error.hpp"

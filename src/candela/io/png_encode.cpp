@@ -1,6 +1,7 @@
 #include <png.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "candela/io/image_write.hpp"
 #include "candela/scene/error.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "candela/io/inside_folder.hpp"
 #include "candela/io/stage_object.hpp"
