@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -20,12 +21,6 @@ struct BakeOptions {
     std::string output;
     bool json = false;
 };
-
-void write_whole(const std::filesystem::path& file, const std::string& bytes) {
-    io::detail::SafeFile out(file);
-    (void)out.write(bytes.data(), bytes.size());
-    out.commit();
-}
 
 /// What a reader of the table must know, and how good it is.
 nlohmann::json ltc_metadata(const bake::LtcTable& table) {
@@ -60,10 +55,17 @@ int bake_ltc(const BakeOptions& options) {
     if (file.extension() == ".json")
         throw input_error("the table is binary; its metadata gets this ending", file.string(),
                           "-o ltc_table.bin");
+    // Opened before the work, so that a folder that is not there is said at once.
+    io::detail::SafeFile table_file(file);
+    io::detail::SafeFile metadata_file(std::filesystem::path(file).replace_extension(".json"));
     const bake::LtcTable table = bake::fit_ltc_table();
     nlohmann::json metadata = ltc_metadata(table);
-    write_whole(file, bake::encode_ltc_table(table));
-    write_whole(std::filesystem::path(file).replace_extension(".json"), metadata.dump() + "\n");
+    const std::string bytes = bake::encode_ltc_table(table);
+    const std::string text = metadata.dump() + "\n";
+    (void)table_file.write(bytes.data(), bytes.size());
+    (void)metadata_file.write(text.data(), text.size());
+    table_file.commit();
+    metadata_file.commit();
     metadata.erase("errors");
     metadata["file"] = file.string();
     if (options.json) {

@@ -36,6 +36,11 @@ FN float full_turn_angle(float y, float x) {
     return y >= 0.0f ? angle : TWO_PI - angle;
 }
 
+// v / |v|; the null vector stays.
+FN vec3 direction_of(vec3 v) {
+    return v * inversesqrt(max(dot(v, v), 1.0e-37f));
+}
+
 // The edge from a to b; 0 when one of them is the null vector.
 FN float contour_edge(vec3 n, vec3 a, vec3 b) {
     vec3 normal = cross(a, b - a);  // the difference keeps the digits of a distant edge
@@ -50,6 +55,14 @@ FN float contour_edge(vec3 n, vec3 a, vec3 b) {
 // Where the edge from a to b passes the horizon; height: n . a and n . b, of different signs.
 FN vec3 horizon_crossing(vec3 a, vec3 b, float height_a, float height_b) {
     return a + (b - a) * (height_a / (height_a - height_b));
+}
+
+// The edge along the horizon that closes a clipped outline. Its ends may lie at very different distances; the difference
+// has the digits of the nearer one when the cross product is taken there.
+FN float contour_edge_on_horizon(vec3 n, vec3 leaves, vec3 returns) {
+    bool swap = dot(leaves, leaves) > dot(returns, returns);
+    float edge = contour_edge(n, swap ? returns : leaves, swap ? leaves : returns);
+    return swap ? -edge : edge;
 }
 
 // What of the edge from a to b lies above the horizon; height_a, height_b: n . a and n . b. Where the edge goes below,

@@ -158,7 +158,7 @@ FN vec3 disk_representative_direction(vec3 n, vec3 to_center_m, vec3 direction, 
     float height_m = max(-dot(direction, to_center_m), 1.0e-6f);
     vec3 offset = plane_representative_point(n, -direction, height_m) - to_center_m;
     vec3 point = to_center_m + offset * min(1.0f, radius_m / max(length(offset), 1.0e-15f));
-    return direction_above_horizon(n, normalize(point));
+    return direction_above_horizon(n, direction_of(point));
 }
 
 CANDELA_SHADING_END

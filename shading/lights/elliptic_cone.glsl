@@ -34,9 +34,10 @@ FN float largest_root_of_real_cubic(float c2, float c1, float c0, float upper) {
 
 // The unit vector with (p p^T + q q^T - r r^T + shift 1) v = 0, where that matrix has rank 2: the largest column of its adjugate.
 FN vec3 null_vector(vec3 p, vec3 q, vec3 r, float shift) {
-    vec3 row0 = p * p.x + q * q.x - r * r.x + vec3(shift, 0.0f, 0.0f);
-    vec3 row1 = p * p.y + q * q.y - r * r.y + vec3(0.0f, shift, 0.0f);
-    vec3 row2 = p * p.z + q * q.z - r * r.z + vec3(0.0f, 0.0f, shift);
+    float scale = 1.0f / shift;  // the adjugate of what has large entries leaves a float's range
+    vec3 row0 = scale * (p * p.x + q * q.x - r * r.x) + vec3(1.0f, 0.0f, 0.0f);
+    vec3 row1 = scale * (p * p.y + q * q.y - r * r.y) + vec3(0.0f, 1.0f, 0.0f);
+    vec3 row2 = scale * (p * p.z + q * q.z - r * r.z) + vec3(0.0f, 0.0f, 1.0f);
     vec3 m12 = cross(row1, row2);
     vec3 m20 = cross(row2, row0);
     vec3 m01 = cross(row0, row1);
@@ -46,12 +47,18 @@ FN vec3 null_vector(vec3 p, vec3 q, vec3 r, float shift) {
     return size > 0.0f ? best / size : normalize(r);
 }
 
-// The cone of the ellipse center + cos(t) u + sin(t) w (u and w conjugate, not necessarily orthogonal). Its principal axes are the
+// The cone of the ellipse ellipse_center + cos(t) ellipse_u + sin(t) ellipse_w (u and w conjugate, not necessarily orthogonal). Its principal axes are the
 // eigenvectors of u u^T + w w^T - center center^T, whose eigenvalues but for the sign are the parameters of the three quadrics
 // through the receiver that are confocal with the ellipse; one is negative and belongs to the axis. Heitz & Hill 2017,
 // "Linear-Light Shading with Linearly Transformed Cosines", take the eigenvectors of the inverse form instead; here the better
 // conditioned one of the two is used, and the widths come from invariants that are sums of squares.
-FN OrientedCone oriented_cone(vec3 n, vec3 center, vec3 u, vec3 w) {
+FN OrientedCone oriented_cone(vec3 n, vec3 ellipse_center, vec3 ellipse_u, vec3 ellipse_w) {
+    // Only directions count: of size 1, the squares of squares below stay within a float's range.
+    float size2 = dot(ellipse_center, ellipse_center) + dot(ellipse_u, ellipse_u) + dot(ellipse_w, ellipse_w);
+    float to_one = inversesqrt(max(size2, 1.0e-30f));
+    vec3 center = ellipse_center * to_one;
+    vec3 u = ellipse_u * to_one;
+    vec3 w = ellipse_w * to_one;
     vec3 uw = cross(u, w);
     vec3 wc = cross(w, center);
     vec3 cu = cross(center, u);
@@ -83,8 +90,8 @@ FN OrientedCone oriented_cone(vec3 n, vec3 center, vec3 u, vec3 w) {
     float narrow2 = min(product / wide2, wide2);
     // Eigenvector of the larger one, from the row that does not cancel.
     vec2 v = half_difference > 0.0f ? vec2(half_difference + spread, st) : vec2(st, spread - half_difference);
-    float size = length(v);
-    v = size > 0.0f ? v / size : vec2(1.0f, 0.0f);
+    float length_v = length(v);
+    v = length_v > 0.0f ? v / length_v : vec2(1.0f, 0.0f);
     o.second = v.x * s + v.y * t;
     o.first = cross(o.second, o.axis);
     o.cone.normal = vec3(dot(n, o.first), dot(n, o.second), dot(n, o.axis));
@@ -122,27 +129,35 @@ struct RimPieces {
     bool returns;
 };
 
-// normal: the plane's, along the cone's axes, of any length; the rim's height over it is p cos(t - highest) + normal.z.
-FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to) {
+// normal: the plane's, along the cone's axes, of any length; the rim's height over it is p cos(t - highest) + normal.z. Whether the
+// arc's ends are above is for the caller to say, in the same way for every piece of an outline that has this end.
+FN RimPieces rim_above(EllipticCone cone, vec3 normal, vec2 from, vec2 to, bool starts_above, bool ends_above) {
     vec2 slope = vec2(cone.minor * normal.x, cone.major * normal.y);
     float p = length(slope);
+    RimPieces r;
+    r.from0 = from;
+    r.to0 = to;
+    r.from1 = from;
+    r.to1 = to;
+    r.up = from;
+    r.down = to;
+    r.has0 = starts_above;
+    r.has1 = false;
+    r.leaves = false;
+    r.returns = false;
+    if (starts_above == ends_above && abs(normal.z) >= p) return r;
     vec2 highest = p > 0.0f ? slope / p : vec2(1.0f, 0.0f);
     float c = clamp(-normal.z / max(p, 1.0e-30f), -1.0f, 1.0f);
     float s = sqrt((1.0f - c) * (1.0f + c));
-    bool starts_above = dot(slope, from) + normal.z >= 0.0f;
-    bool ends_above = dot(slope, to) + normal.z >= 0.0f;
     float turn = turn_between(from, to);
     // A dip or a rise between two ends on the same side has its extreme within the arc.
     vec2 extreme = starts_above ? vec2(-highest.x, -highest.y) : highest;
-    bool inside = starts_above == ends_above && abs(normal.z) < p && turn_between(from, extreme) < turn;
-    RimPieces r;
+    bool inside = starts_above == ends_above && turn_between(from, extreme) < turn;
     r.up = vec2(highest.x * c + highest.y * s, highest.y * c - highest.x * s);
     r.down = vec2(highest.x * c - highest.y * s, highest.y * c + highest.x * s);
     r.leaves = inside || (starts_above && !ends_above);
     r.returns = inside || (!starts_above && ends_above);
-    r.from0 = from;
     r.to0 = r.leaves ? r.down : to;
-    r.has0 = starts_above;
     r.from1 = r.up;
     r.to1 = ends_above ? to : r.down;
     r.has1 = r.returns;

@@ -17,7 +17,9 @@ FN float line_illuminance(vec3 n, vec3 to_center_m, vec3 axis, float half_length
     float half_length = max(half_length_m, 1.0e-4f);
     float middle = dot(to_center_m, axis);
     vec3 across = to_center_m - middle * axis;
-    float distance_m = max(length(across), kPunctualMinDistance_m);
+    float beyond_end_m = max(abs(middle) - half_length, 0.0f);
+    float thickness2 = max(square(kPunctualMinDistance_m) - square(beyond_end_m), 1.0e-12f);
+    float distance_m = sqrt(max(dot(across, across), thickness2));
     float n_axis = dot(n, axis);
     float n_across = dot(n, across) / distance_m;
 

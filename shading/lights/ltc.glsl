@@ -97,9 +97,16 @@ FN LtcOutline ltc_outline_begin() {
     return outline;
 }
 
+// Height above the cosine's horizon, for the decision of what is above. Where the view is at the normal both horizons are one,
+// and a crossing of the first lies on the second but for rounding: it counts as above for every piece that it belongs to.
+FN float ltc_height(vec3 p) {
+    return p.z + 1.0e-5f * (abs(p.x) + abs(p.y));
+}
+
 // An edge that is known to be above the surface.
 FN void ltc_outline_cut_edge(INOUT(LtcOutline) o, vec3 from, vec3 to) {
-    o.sr += contour_edge_above(kCosineNormal, from, to, from.z, to.z, o.leaves_cosine, o.returns_cosine);
+    o.sr += contour_edge_above(kCosineNormal, from, to, ltc_height(from), ltc_height(to), o.leaves_cosine,
+                               o.returns_cosine);
 }
 
 // Selections, no branches: an edge below the surface shrinks to a point.
@@ -117,28 +124,37 @@ FN void ltc_outline_edge(INOUT(LtcOutline) o, LtcFrame frame, vec3 from, vec3 to
     ltc_outline_cut_edge(o, cut_from, cut_to);
 }
 
-FN void ltc_outline_cut_arc(INOUT(LtcOutline) o, OrientedCone c, vec2 from, vec2 to) {
-    RimPieces r = rim_above(c.cone, c.cone.normal, from, to);
+// An arc that is known to be above the surface; begin, end: the points of its ends.
+FN void ltc_outline_cut_arc(INOUT(LtcOutline) o, OrientedCone c, vec2 from, vec2 to, vec3 begin, vec3 end) {
+    RimPieces r = rim_above(c.cone, c.cone.normal, from, to, ltc_height(begin) >= 0.0f, ltc_height(end) >= 0.0f);
     if (r.has0) o.sr += elliptic_cone_arc(c.cone, r.from0, r.to0);
     if (r.has1) o.sr += elliptic_cone_arc(c.cone, r.from1, r.to1);
     if (r.leaves) o.leaves_cosine = oriented_cone_point(c, r.down);
     if (r.returns) o.returns_cosine = oriented_cone_point(c, r.up);
 }
 
-FN void ltc_outline_arc(INOUT(LtcOutline) o, LtcFrame frame, OrientedCone c, vec2 from, vec2 to) {
+// Counterclockwise from begin to end, two directions on the cone.
+FN void ltc_outline_arc(INOUT(LtcOutline) o, LtcFrame frame, OrientedCone c, vec3 begin, vec3 end) {
     vec3 horizon = vec3(dot(frame.horizon, c.first), dot(frame.horizon, c.second), dot(frame.horizon, c.axis));
-    RimPieces r = rim_above(c.cone, horizon, from, to);
-    if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0);
-    if (r.has1) ltc_outline_cut_arc(o, c, r.from1, r.to1);
-    if (r.leaves) o.leaves_surface = oriented_cone_point(c, r.down);
-    if (r.returns) o.returns_surface = oriented_cone_point(c, r.up);
+    bool ends_above = dot(frame.horizon, end) >= 0.0f;
+    RimPieces r = rim_above(c.cone, horizon, oriented_cone_parameter(c, begin), oriented_cone_parameter(c, end),
+                            dot(frame.horizon, begin) >= 0.0f, ends_above);
+    vec3 down = oriented_cone_point(c, r.down);
+    vec3 up = oriented_cone_point(c, r.up);
+    if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0, begin, r.leaves ? down : end);
+    if (r.has1) ltc_outline_cut_arc(o, c, r.from1, r.to1, up, ends_above ? end : down);
+    if (r.leaves) o.leaves_surface = down;
+    if (r.returns) o.returns_surface = up;
 }
 
-// Closes the outline along the surface, cut by the cosine's horizon, and then along that.
+// Closes the outline along the surface, cut by the cosine's horizon, and then along that: in its plane, for between nearly
+// opposite directions any height would turn the edge out of it.
 FN float ltc_outline_end(LtcOutline outline, LtcFrame frame) {
     LtcOutline o = outline;
     ltc_outline_cut_edge(o, o.leaves_surface, o.returns_surface);
-    return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, o.leaves_cosine, o.returns_cosine)));
+    vec3 leaves = vec3(o.leaves_cosine.x, o.leaves_cosine.y, 0.0f);
+    vec3 returns = vec3(o.returns_cosine.x, o.returns_cosine.y, 0.0f);
+    return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, leaves, returns)));
 }
 
 // Rectangle of uniform luminance that shines to where right x up points away from. Heitz et al. 2016, section 4.
@@ -177,8 +193,10 @@ FN float ltc_cone(LtcFrame frame, OrientedCone c) {
     if (horizon.z <= -p) return 0.0f;
     if (horizon.z >= p) return saturate(frame.scale * elliptic_cone_projected_solid_angle(c.cone));
     LtcOutline o = ltc_outline_begin();
-    ltc_outline_arc(o, frame, c, vec2(1.0f, 0.0f), vec2(-1.0f, 0.0f));
-    ltc_outline_arc(o, frame, c, vec2(-1.0f, 0.0f), vec2(1.0f, 0.0f));
+    vec3 one = oriented_cone_point(c, vec2(1.0f, 0.0f));
+    vec3 other = oriented_cone_point(c, vec2(-1.0f, 0.0f));
+    ltc_outline_arc(o, frame, c, one, other);
+    ltc_outline_arc(o, frame, c, other, one);
     return ltc_outline_end(o, frame);
 }
 
@@ -238,11 +256,20 @@ FN float ltc_tube(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 ax
     OrientedCone c1 = ltc_sphere_cone(frame.to_cosine, end1, radius_m);
     OrientedCone c2 = ltc_sphere_cone(frame.to_cosine, end2, radius_m);
     LtcOutline o = ltc_outline_begin();
-    ltc_outline_arc(o, frame, c2, oriented_cone_parameter(c2, minus2), oriented_cone_parameter(c2, plus2));
+    ltc_outline_arc(o, frame, c2, minus2, plus2);
     ltc_outline_edge(o, frame, plus2, plus1);
-    ltc_outline_arc(o, frame, c1, oriented_cone_parameter(c1, plus1), oriented_cone_parameter(c1, minus1));
+    ltc_outline_arc(o, frame, c1, plus1, minus1);
     ltc_outline_edge(o, frame, minus1, minus2);
     return ltc_outline_end(o, frame);
+}
+
+// A line without thickness, per metre of radius: its integral times the radius is a thin tube's. Heitz & Hill 2017, section 3, integrate
+// along the line; here it is a tube of a thousandth of the distance, which no lobe of this model resolves (its
+// half width is 2 kMinAlpha) and whose outline's two long edges still differ by four digits.
+FN float ltc_line(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 axis, float half_length_m) {
+    float along_m = clamp(-dot(to_center_m, axis), -half_length_m, half_length_m);
+    float radius_m = 1.0e-3f * max(length(to_center_m + along_m * axis), 1.0e-6f);
+    return ltc_tube(inverse_matrix, n, v, to_center_m, axis, half_length_m, radius_m) / radius_m;
 }
 
 CANDELA_SHADING_END

@@ -41,7 +41,7 @@ FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) 
     sum += contour_edge_above(n, p1, p2, h1, h2, leaves, returns);
     sum += contour_edge_above(n, p2, p3, h2, h3, leaves, returns);
     sum += contour_edge_above(n, p3, p0, h3, h0, leaves, returns);
-    return sum + contour_edge(n, leaves, returns);
+    return sum + contour_edge_on_horizon(n, leaves, returns);
 }
 
 // Exact, by the outline's integral after clipping at the horizon. Under 1/300 of the distance the outline's edges
@@ -52,7 +52,8 @@ FN float rectangle_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 right, v
     if (!(height_m > 0.0f)) return 0.0f;
     float distance2 = dot(to_center_m, to_center_m);
     if (square(half_width_m) + square(half_height_m) < 1.0e-5f * distance2)
-        return 4.0f * half_width_m * half_height_m * height_m * max(dot(n, to_center_m), 0.0f) / square(distance2);
+        return 4.0f * half_width_m * half_height_m * height_m * max(dot(n, to_center_m), 0.0f) /
+               max(square(distance2), 1.0e-37f);
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
     return max(quad_projected_solid_angle(n, c.p0, c.p1, c.p2, c.p3), 0.0f);
 }
@@ -71,10 +72,10 @@ FN float rectangle_projected_solid_angle_arvo(vec3 n, vec3 to_center_m, vec3 rig
 // 2013) computes from the angles of the corners.
 FN float rectangle_solid_angle(vec3 to_center_m, vec3 right, vec3 up, float half_width_m, float half_height_m) {
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
-    vec3 d0 = normalize(c.p0);
-    vec3 d2 = normalize(c.p2);
-    return max(triangle_signed_solid_angle(d0, normalize(c.p1), d2) +
-                   triangle_signed_solid_angle(d0, d2, normalize(c.p3)),
+    vec3 d0 = direction_of(c.p0);
+    vec3 d2 = direction_of(c.p2);
+    return max(triangle_signed_solid_angle(d0, direction_of(c.p1), d2) +
+                   triangle_signed_solid_angle(d0, d2, direction_of(c.p3)),
                0.0f);
 }
 
@@ -90,7 +91,7 @@ FN float solid_angle_edge_above(vec3 n, vec3 a, vec3 b, INOUT(vec3) leaves, INOU
         b = horizon_crossing(a, b, height_a, height_b);
         leaves = b;
     }
-    return triangle_signed_solid_angle(n, normalize(a), normalize(b));
+    return triangle_signed_solid_angle(n, direction_of(a), direction_of(b));
 }
 
 // Solid angle in sr of what lies above the horizon: exact, for the representative points that ask for it (the rows "(H)" of
@@ -105,7 +106,7 @@ FN float rectangle_solid_angle_above_horizon(vec3 n, vec3 to_center_m, vec3 righ
     sum += solid_angle_edge_above(n, c.p2, c.p3, leaves, returns);
     sum += solid_angle_edge_above(n, c.p3, c.p0, leaves, returns);
     if (dot(leaves, leaves) > 0.0f && dot(returns, returns) > 0.0f)
-        sum += triangle_signed_solid_angle(n, normalize(leaves), normalize(returns));
+        sum += triangle_signed_solid_angle(n, direction_of(leaves), direction_of(returns));
     return max(sum, 0.0f);
 }
 
@@ -114,9 +115,9 @@ FN float rectangle_projected_solid_angle_structured(vec3 n, vec3 to_center_m, ve
                                                     float half_height_m) {
     if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
-    float cosines = saturate(dot(n, normalize(c.p0))) + saturate(dot(n, normalize(c.p1))) +
-                    saturate(dot(n, normalize(c.p2))) + saturate(dot(n, normalize(c.p3))) +
-                    saturate(dot(n, normalize(to_center_m)));
+    float cosines = saturate(dot(n, direction_of(c.p0))) + saturate(dot(n, direction_of(c.p1))) +
+                    saturate(dot(n, direction_of(c.p2))) + saturate(dot(n, direction_of(c.p3))) +
+                    saturate(dot(n, direction_of(to_center_m)));
     return rectangle_solid_angle(to_center_m, right, up, half_width_m, half_height_m) * 0.2f * cosines;
 }
 
@@ -152,14 +153,14 @@ FN vec3 rectangle_representative_point(vec3 n, vec3 to_center_m, vec3 right, vec
 FN vec3 rectangle_representative_direction(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
                                            float half_height_m) {
     return direction_above_horizon(
-        n, normalize(rectangle_representative_point(n, to_center_m, right, up, half_width_m, half_height_m)));
+        n, direction_of(rectangle_representative_point(n, to_center_m, right, up, half_width_m, half_height_m)));
 }
 
 // Frostbite equation 40: a point that stands for the whole rectangle. The solid angle of the whole.
 FN float rectangle_projected_solid_angle_at(vec3 point, vec3 n, vec3 to_center_m, vec3 right, vec3 up,
                                             float half_width_m, float half_height_m) {
     if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
-    return saturate(dot(n, normalize(point))) *
+    return saturate(dot(n, direction_of(point))) *
            rectangle_solid_angle(to_center_m, right, up, half_width_m, half_height_m);
 }
 
@@ -167,7 +168,7 @@ FN float rectangle_projected_solid_angle_at(vec3 point, vec3 n, vec3 to_center_m
 FN float rectangle_projected_solid_angle_at_horizon(vec3 point, vec3 n, vec3 to_center_m, vec3 right, vec3 up,
                                                     float half_width_m, float half_height_m) {
     if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
-    return saturate(dot(n, normalize(point))) *
+    return saturate(dot(n, direction_of(point))) *
            rectangle_solid_angle_above_horizon(n, to_center_m, right, up, half_width_m, half_height_m);
 }
 
@@ -207,7 +208,7 @@ FN float rectangle_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, ve
     if (distance2 < square(10.0f * max(half_width_m, half_height_m)))
         return rectangle_projected_solid_angle(n, to_center_m, right, up, half_width_m, half_height_m);
     return 4.0f * half_width_m * half_height_m * max(dot(cross(right, up), to_center_m), 0.0f) *
-           max(dot(n, to_center_m), 0.0f) / square(distance2);
+           max(dot(n, to_center_m), 0.0f) / max(square(distance2), 1.0e-37f);
 }
 
 CANDELA_SHADING_END

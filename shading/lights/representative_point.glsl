@@ -37,7 +37,7 @@ FN float specular_at_point(vec3 n, vec3 v, vec3 to_point_m, float alpha, float d
 }
 
 // The point of a segment that is nearest to the mirror ray's line, as its share of the way from start to end: Karis 2013,
-// equation 19. The guard prevents 0/0 where the ray runs along the segment.
+// equation 19. The guards prevent 0/0 where the ray runs along the segment, or the segment has no length.
 FN float representative_share_of_line(vec3 start_m, vec3 end_m, vec3 mirror) {
     vec3 along = end_m - start_m;
     float on_mirror = dot(mirror, along);

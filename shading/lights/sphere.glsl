@@ -71,11 +71,10 @@ FN vec3 direction_above_horizon(vec3 n, vec3 l) {
 // The middle in elevation of what is visible of the sphere: its centre while it is above the horizon. Own choice of the
 // point that represents the sphere for a diffuse BRDF; Frostbite has one for rectangles only.
 FN vec3 sphere_representative_direction(vec3 n, vec3 to_center_m, float radius_m) {
-    float distance_m = max(length(to_center_m), 1.0e-15f);
-    vec3 l = to_center_m / distance_m;
-    float sin_sigma = min(radius_m / distance_m, 1.0f);
+    vec3 l = direction_of(to_center_m);
+    float sin_sigma = min(radius_m / max(length(to_center_m), 1.0e-15f), 1.0f);
     float height = dot(n, l);
-    if (height >= sin_sigma) return l;
+    if (height >= sin_sigma) return direction_above_horizon(n, l);
     // Half way between the horizon and the highest point of the cone, the sum of two unit directions.
     vec3 level = l - n * height;
     float level_length = length(level);
@@ -84,7 +83,7 @@ FN vec3 sphere_representative_direction(vec3 n, vec3 to_center_m, float radius_m
     float cos_sigma = sqrt(1.0f - sin_sigma * sin_sigma);
     vec3 highest = n * (height * cos_sigma + level_length * sin_sigma) +
                    horizon * (level_length * cos_sigma - height * sin_sigma);
-    return direction_above_horizon(n, normalize(highest + horizon));
+    return direction_above_horizon(n, direction_of(highest + horizon));
 }
 
 CANDELA_SHADING_END

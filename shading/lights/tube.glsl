@@ -74,7 +74,8 @@ FN float tube_end_above(vec3 n, float x, float y, float radius_m, float side, bo
     ConeArc arc;
     arc.normal = vec3(dot(n, u), dot(n, v), dot(n, axis));
     arc.sin_sigma = radius_m / distance_m;
-    arc.cos_sigma = sqrt(max(x * x + y * y - radius_m * radius_m, 0.0f)) / distance_m;
+    float tangent_m = sqrt(max(x * x + y * y - radius_m * radius_m, 0.0f));
+    arc.cos_sigma = tangent_m / distance_m;
     // The arc ends where the two planes touch this sphere that pass through the receiver and touch the cylinder.
     float sine = distance_m * sqrt(max(y * y - radius_m * radius_m, 0.0f));
     float cosine = side * x * radius_m;
@@ -85,8 +86,9 @@ FN float tube_end_above(vec3 n, float x, float y, float radius_m, float side, bo
     bool does_leave;
     bool does_return;
     float sum = cone_arc_above(arc, starts_above, ends_above, down, up, does_leave, does_return);
-    if (does_leave) leaves = arc.cos_sigma * axis + arc.sin_sigma * (down.x * u + down.y * v);
-    if (does_return) returns = arc.cos_sigma * axis + arc.sin_sigma * (up.x * u + up.y * v);
+    // On the sphere, as far away as the edges' points.
+    if (does_leave) leaves = tangent_m * (arc.cos_sigma * axis + arc.sin_sigma * (down.x * u + down.y * v));
+    if (does_return) returns = tangent_m * (arc.cos_sigma * axis + arc.sin_sigma * (up.x * u + up.y * v));
     return sum;
 }
 
@@ -132,7 +134,7 @@ FN float tube_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 axis, float h
     sum += tube_end_above(normal, end, y, radius_m, 1.0f, height_end_high >= 0.0f, height_end_low >= 0.0f, leaves,
                           returns);
     sum += contour_edge_above(normal, end_low, start_low, height_end_low, height_start_low, leaves, returns);
-    return max(sum + contour_edge(normal, leaves, returns), 0.0f);
+    return max(sum + contour_edge_on_horizon(normal, leaves, returns), 0.0f);
 }
 
 // Frostbite listing 13: a rectangle of the cylinder's length and width that faces the receiver, by structured sampling, and

@@ -143,16 +143,6 @@ FN float disk_lx_from_nit(float luminance_nit, float radius_m, float distance_m)
     return luminance_nit * PI * square(radius_m) / (square(radius_m) + square(distance_m));
 }
 
-// The same for a rectangle, on its axis: four times the configuration factor of a quarter whose corner is
-// there (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
-FN float rectangle_lx_from_nit(float luminance_nit, float width_m, float height_m, float distance_m) {
-    float a = 0.5f * width_m / distance_m;
-    float b = 0.5f * height_m / distance_m;
-    float ra = sqrt(1.0f + a * a);
-    float rb = sqrt(1.0f + b * b);
-    return 2.0f * luminance_nit * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
-}
-
 CANDELA_SHADING_END
 
 #endif

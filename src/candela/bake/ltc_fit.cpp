@@ -173,15 +173,17 @@ class Simplex {
     std::array<Vertex, 5> vertices_;
 };
 
-/// From the rougher neighbour's texel to a start for this roughness: what is a width scales with alpha.
-glm::vec4 scaled_start(const glm::vec4& neighbour, float alpha_ratio) {
-    return {neighbour.x, neighbour.y * alpha_ratio, neighbour.z * alpha_ratio, neighbour.w * alpha_ratio};
-}
-
 }  // namespace
 
 glm::vec4 rough_ltc_start(float NoV) {
     return {std::max(NoV, 0.02f), 1.0f, 1.2f, 0.02f};
+}
+
+glm::vec4 next_ltc_start(const glm::vec4& rougher, float perceptual_roughness,
+                         float rougher_perceptual_roughness) {
+    const float ratio = shading::alpha_from_perceptual_roughness(perceptual_roughness) /
+                        shading::alpha_from_perceptual_roughness(rougher_perceptual_roughness);
+    return {rougher.x, rougher.y * ratio, rougher.z * ratio, rougher.w * ratio};
 }
 
 LtcEntry fit_ltc_entry(float NoV, float perceptual_roughness, const glm::vec4& start) {
@@ -211,15 +213,12 @@ LtcTable fit_ltc_table() {
     table.errors.resize(table.texels.size());
     tbb::parallel_for(0u, size, [&](uint x) {
         glm::vec4 start = rough_ltc_start(shading::dfg_parameters(x, size - 1).x);
-        float alpha = 1.0f;
         for (uint y = size; y-- > 0;) {
             const glm::vec2 at = shading::dfg_parameters(x, y);
-            const float next = shading::alpha_from_perceptual_roughness(at.y);
-            const LtcEntry entry = fit_ltc_entry(at.x, at.y, scaled_start(start, next / alpha));
+            const LtcEntry entry = fit_ltc_entry(at.x, at.y, start);
             table.texels[std::size_t{y} * size + x] = entry.texel;
             table.errors[std::size_t{y} * size + x] = entry.error;
-            start = entry.texel;
-            alpha = next;
+            if (y > 0) start = next_ltc_start(entry.texel, shading::dfg_parameters(x, y - 1).y, at.y);
         }
     });
     // Seen at the normal the odd terms have no effect; as limits of their neighbours they are what

@@ -18,8 +18,11 @@ struct LtcEntry {
 /// Deterministic.
 [[nodiscard]] LtcEntry fit_ltc_entry(float NoV, float perceptual_roughness, const glm::vec4& start);
 
-/// Where a fit starts that has no neighbour: of a rough surface.
+/// Where the fit of the roughest entry of a column starts, and where that of another one starts: from its
+/// rougher neighbour, whose widths scale with alpha.
 [[nodiscard]] glm::vec4 rough_ltc_start(float NoV);
+[[nodiscard]] glm::vec4 next_ltc_start(const glm::vec4& rougher, float perceptual_roughness,
+                                       float rougher_perceptual_roughness);
 
 /// The error of a texel that was not fitted here, such as an interpolated one.
 [[nodiscard]] float ltc_error(float NoV, float perceptual_roughness, const glm::vec4& texel);

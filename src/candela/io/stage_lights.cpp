@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "candela/io/inside_folder.hpp"
 #include "candela/io/stage_object.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/color_temperature.glsl"
@@ -55,6 +57,8 @@ bool belongs(const std::string& key, LightType type) {
     if (key == "angular_diameter_deg" || key == "limb_darkening") return type == LightType::sun;
     if (key == "two_sided") return is({LightType::disk, LightType::rectangle});
     if (key == "visible") return scene::has_extent(type);
+    if (key == "image") return type == LightType::rectangle;
+    if (key.starts_with("profile")) return is({LightType::point, LightType::spot});
     for (const UnitKey& u : kUnitKeys) {
         if (key == u.key) return scene::accepts(type, u.unit);
     }
@@ -72,6 +76,20 @@ void check_sizes(const StageLight& light, LightType type) {
     if (type == LightType::line || type == LightType::tube) need("length_m");
 }
 
+/// Which keys state how strong a profile is.
+void check_profile(const StageLight& light, bool has_unit) {
+    const auto fail = [&](const std::string& what, const std::string& hint) {
+        throw input_error(what, light.where, hint);
+    };
+    const bool absolute = light.profile_scale == scene::ProfileScale::absolute;
+    if (has_unit && (absolute || has(light, "profile_multiplier")))
+        fail("a profile with its own cd has no other strength", "keep profile_multiplier or the unit");
+    if (!has_unit && light.profile_scale && !absolute)
+        fail("does not state the strength of its profile", "\"power_lm\": 800");
+    if (light.profile_scale == scene::ProfileScale::power && has(light, "intensity_cd"))
+        fail("states the power of its profile in cd", "power_lm, or \"profile_scale\": \"mask\"");
+}
+
 void check_entry(const json& value, const StageLight& light) {
     const auto one_of = [&](const char* a, const char* b) {
         if (has(light, a) && has(light, b))
@@ -85,13 +103,14 @@ void check_entry(const json& value, const StageLight& light) {
     const auto units = std::count_if(std::begin(kUnitKeys), std::end(kUnitKeys),
                                      [&](const UnitKey& u) { return has(light, u.key); });
     if (units > 1) throw input_error("states its strength in more than one unit", light.where, "keep one");
+    check_profile(light, units > 0);
     if (light.off && value.size() != 2)
         throw input_error("has keys that a light that is off cannot use", light.where,
                           "{\"override\": NAME, \"off\": true}");
     if (light.overrides) return;
     if (has(light, "off")) throw input_error("needs override, the name of a light", light.where);
     if (!light.type) throw input_error("needs a type, or override", light.where, "\"type\": \"sphere\"");
-    if (units == 0)
+    if (units == 0 && light.profile.empty())
         throw input_error(
             "does not state its strength", light.where,
             scene::accepts(*light.type, LightUnit::lux) ? "\"illuminance_lx\": 100000" : "\"power_lm\": 800");
@@ -201,7 +220,23 @@ void add_shape(Handlers& h, StageLight& out) {
     h["casts_shadow"] = editing(out, stage_boolean, [](Light& l, bool x) { l.casts_shadow = x; });
 }
 
-StageLight read_entry(const json& value, const std::string& where) {
+void add_files(Handlers& h, StageLight& out, const std::filesystem::path& folder) {
+    h["profile"] = [&](const json& v, const std::string& at) {
+        out.profile = inside_folder(folder, stage_text(v, at), at);
+    };
+    h["profile_scale"] = [&](const json& v, const std::string& at) {
+        out.profile_scale =
+            static_cast<scene::ProfileScale>(stage_choice(v, at, {"absolute", "mask", "power"}));
+    };
+    h["profile_multiplier"] = [&](const json& v, const std::string& at) {
+        out.profile_multiplier = stage_number(v, at, 0.0, 1e12, "0 to 1e12");
+    };
+    h["image"] = [&](const json& v, const std::string& at) {
+        out.image = inside_folder(folder, stage_text(v, at), at);
+    };
+}
+
+StageLight read_entry(const json& value, const std::string& where, const std::filesystem::path& folder) {
     StageLight out;
     out.where = where;
     Handlers handlers;
@@ -209,6 +244,7 @@ StageLight read_entry(const json& value, const std::string& where) {
     add_placement(handlers, out);
     add_strength(handlers, out);
     add_shape(handlers, out);
+    add_files(handlers, out, folder);
     const StageObject object(value, where, handlers);
     for (const auto& [key, unused] : value.items()) out.keys.push_back(key);
     check_entry(value, out);
@@ -237,8 +273,7 @@ std::vector<StageLight> read_stage_lights(const json& value, const std::string& 
     if (!value.is_array()) throw input_error("must be an array", where);
     std::vector<StageLight> out;
     for (std::size_t i = 0; i < value.size(); ++i)
-        out.push_back(read_entry(value[i], where + "/" + std::to_string(i)));
-    (void)folder;
+        out.push_back(read_entry(value[i], where + "/" + std::to_string(i), folder));
     return out;
 }
 

@@ -27,6 +27,10 @@ struct StageLight {
     std::optional<glm::vec3> look_at;
     std::optional<glm::vec3> right;
     float roll_rad = 0.0f;
+    std::filesystem::path profile;  ///< IES or EULUMDAT; empty: none
+    std::optional<scene::ProfileScale> profile_scale;
+    float profile_multiplier = 1.0f;
+    std::filesystem::path image;  ///< on a rectangle; empty: none
     /// The rest: what each key does to a light that has its type.
     std::vector<std::function<void(scene::Light&)>> edits;
 };

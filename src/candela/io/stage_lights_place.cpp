@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 
+#include "candela/io/image_read.hpp"
+#include "candela/io/photometric.hpp"
 #include "candela/io/stage_lights.hpp"
 #include "candela/scene/error.hpp"
 
@@ -97,34 +100,95 @@ void check_shape(const StageLight& entry, const Light& light) {
                           entry.where);
 }
 
+const scene::PhotometricProfile* profile_of(const Light& light, const scene::Scene& scene) {
+    return light.profile == scene::no_index ? nullptr : &scene.profiles[light.profile];
+}
+
 /// A light whose type, and with it the unit, changes keeps what it gives: lm, or lx from infinitely far.
-void keep_power(const StageLight& entry, const Light& before, Light& light) {
+void keep_power(const StageLight& entry, const Light& before, const scene::Scene& scene, Light& light) {
     if (scene::is_distant(before.type) != scene::is_distant(light.type))
         throw input_error(std::string("a ") + scene::name_of(before.type) + " light that becomes a " +
                               scene::name_of(light.type) + " light needs a new strength",
                           entry.where, scene::accepted_units(light.type));
     if (scene::is_distant(light.type)) return;
-    light.intensity = scene::intensity_from(
-        light, {scene::power_lm(before).value_or(0.0f), scene::LightUnit::lumen}, entry.where);
+    const scene::PhotometricProfile* profile = profile_of(before, scene);
+    const float lm = profile ? before.intensity * static_cast<float>(scene::integrated_lm(*profile))
+                             : scene::power_lm(before).value_or(0.0f);
+    light.intensity = scene::intensity_from(light, {lm, scene::LightUnit::lumen}, entry.where);
 }
 
-void apply(const StageLight& entry, const scene::Scene& scene, Light& light) {
+void set_strength(const StageLight& entry, const Light& before, const scene::Scene& scene, Light& light) {
+    const scene::PhotometricProfile* profile = profile_of(light, scene);
+    if (entry.strength) {
+        const scene::LightStrength& strength = *entry.strength;
+        const bool cd = strength.unit == scene::LightUnit::candela;
+        const auto scale =
+            entry.profile_scale.value_or(cd ? scene::ProfileScale::mask : scene::ProfileScale::power);
+        light.intensity = profile ? scene::profile_factor_from(light, *profile, scale, strength, entry.where)
+                                  : scene::intensity_from(light, strength, entry.where);
+        light.unit = strength.unit;
+        light.efficacy_lm_per_w = strength.efficacy_lm_per_w;
+    } else if (!entry.profile.empty() || has(entry, "profile_multiplier")) {
+        light.intensity = entry.profile_multiplier;
+        light.unit = scene::LightUnit::candela;
+        light.efficacy_lm_per_w = 0.0f;
+    } else if (light.type != before.type && !profile) {
+        keep_power(entry, before, scene, light);
+    }
+}
+
+/// Files that several lights name are read once.
+class Files {
+  public:
+    Files(scene::Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+
+    std::uint32_t profile(const std::filesystem::path& file) {
+        const auto [entry, fresh] = profiles_.try_emplace(file, 0u);
+        if (fresh) {
+            scene_.profiles.push_back(load_photometric(file, diagnostics_));
+            entry->second = static_cast<std::uint32_t>(scene_.profiles.size() - 1);
+        }
+        return entry->second;
+    }
+
+    std::uint32_t image(const std::filesystem::path& file) {
+        const auto [entry, fresh] = images_.try_emplace(file, 0u);
+        if (fresh) {
+            scene_.images.push_back(decode_image(read_file(file, kMaxImageBytes), file.string()));
+            scene_.images.back().name = file.filename().string();
+            entry->second = static_cast<std::uint32_t>(scene_.images.size() - 1);
+        }
+        return entry->second;
+    }
+
+  private:
+    static constexpr std::size_t kMaxImageBytes = std::size_t{1} << 30;
+    scene::Scene& scene_;
+    Diagnostics& diagnostics_;
+    std::map<std::filesystem::path, std::uint32_t> profiles_;
+    std::map<std::filesystem::path, std::uint32_t> images_;
+};
+
+void apply(const StageLight& entry, const scene::Scene& scene, Files& files, Light& light) {
     const Light before = light;
     light.type = grown(entry, light.type);
     for (const auto& edit : entry.edits) edit(light);
     check_stage_light_keys(entry, light.type);
     check_shape(entry, light);
     stand(entry, scene, light);
-    if (entry.strength) {
-        light.intensity = scene::intensity_from(light, *entry.strength, entry.where);
-        light.unit = entry.strength->unit;
-        light.efficacy_lm_per_w = entry.strength->efficacy_lm_per_w;
-    } else if (light.type != before.type) {
-        keep_power(entry, before, light);
+    light.carrier += light.carrier.empty() ? "stage" : ", stage";
+    if (light.type != LightType::point && light.type != LightType::spot) light.profile = scene::no_index;
+    if (light.type != LightType::rectangle) light.image = scene::no_index;
+    if (!entry.profile.empty()) light.profile = files.profile(entry.profile);
+    if (!entry.image.empty()) light.image = files.image(entry.image);
+    for (const char* key : {"profile_multiplier", "profile_scale"}) {
+        if (has(entry, key) && light.profile == scene::no_index)
+            throw input_error("the light has no profile", entry.where + "/" + key);
     }
+    set_strength(entry, before, scene, light);
 }
 
-void override_lights(const StageLight& entry, scene::Scene& scene) {
+void override_lights(const StageLight& entry, scene::Scene& scene, Files& files) {
     const auto named = [&](const Light& light) { return light.name == *entry.overrides; };
     std::string known;
     for (const Light& light : scene.lights) known += (known.empty() ? "" : ", ") + light.name;
@@ -137,7 +201,7 @@ void override_lights(const StageLight& entry, scene::Scene& scene) {
         return;
     }
     for (Light& light : scene.lights) {
-        if (named(light)) apply(entry, scene, light);
+        if (named(light)) apply(entry, scene, files, light);
     }
 }
 
@@ -145,14 +209,14 @@ void override_lights(const StageLight& entry, scene::Scene& scene) {
 
 void place_stage_lights(const std::vector<StageLight>& lights, scene::Scene& scene,
                         Diagnostics& diagnostics) {
-    (void)diagnostics;
+    Files files(scene, diagnostics);
     for (const StageLight& entry : lights) {
         if (entry.overrides) {
-            override_lights(entry, scene);
+            override_lights(entry, scene, files);
             continue;
         }
         Light light;
-        apply(entry, scene, light);
+        apply(entry, scene, files, light);
         scene.lights.push_back(light);
     }
 }

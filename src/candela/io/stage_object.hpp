@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 /// How the parts of a stage file are read: every error names the file and the JSON pointer.
 namespace candela::io {

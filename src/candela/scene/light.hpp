@@ -72,6 +72,7 @@ struct Light {
     float efficacy_lm_per_w = 0.0f;       ///< as stated; 0: not in watts
     SpotPower spot_power = SpotPower::frostbite;
     float color_temperature_k = 0.0f;  ///< as stated; 0: the colour was given as RGB
+    std::string carrier;               ///< where it was read from, for people: a glTF extension, "stage"
 
     /// Unit: cross(right, direction).
     [[nodiscard]] glm::vec3 up() const noexcept {

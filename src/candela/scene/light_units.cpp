@@ -4,7 +4,10 @@
 
 #include "candela/scene/error.hpp"
 #include "shading/color_temperature.glsl"
+#include "shading/lights/line.glsl"
 #include "shading/lights/punctual.glsl"
+#include "shading/lights/rectangle.glsl"
+#include "shading/lights/tube.glsl"
 #include "shading/lights/units.glsl"
 
 namespace candela::scene {
@@ -61,14 +64,17 @@ float projected_area(const Light& l) {
     }
 }
 
-/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light, or no closed form is known.
+/// lx at 1 m per unit of Light::intensity; none where 1 m is inside the light.
 std::optional<float> lx_at_1m(const Light& l) {
+    const glm::vec3 n(0.0f, 0.0f, 1.0f), x(1.0f, 0.0f, 0.0f), y(0.0f, 1.0f, 0.0f);
     const float window = shading::window_attenuation(1.0f, l.range_m);
     switch (l.type) {
         case LightType::point:
         case LightType::spot:
         case LightType::frustum:
             return window * shading::lx_from_cd(1.0f, 1.0f);
+        case LightType::line:
+            return window * shading::line_illuminance(n, n, x, l.half_width_m);
         case LightType::sphere:
             if (l.radius_m >= 1.0f) return std::nullopt;
             return window * shading::sphere_lx_from_nit(1.0f, l.radius_m, 1.0f);
@@ -76,10 +82,15 @@ std::optional<float> lx_at_1m(const Light& l) {
             return window * shading::disk_lx_from_nit(1.0f, l.radius_m, 1.0f);
         case LightType::rectangle:
             return window *
-                   shading::rectangle_lx_from_nit(1.0f, 2.0f * l.half_width_m, 2.0f * l.half_height_m, 1.0f);
-        default:
-            return std::nullopt;
+                   shading::rectangle_projected_solid_angle(n, n, x, y, l.half_width_m, l.half_height_m);
+        case LightType::tube:
+            if (l.radius_m >= 1.0f) return std::nullopt;
+            return window * shading::tube_projected_solid_angle(n, n, x, l.half_width_m, l.radius_m);
+        case LightType::directional:
+        case LightType::sun:
+            break;
     }
+    return std::nullopt;
 }
 
 std::string hint_for(LightType type, LightUnit unit) {
@@ -93,6 +104,36 @@ std::string hint_for(LightType type, LightUnit unit) {
         return units + "; what has a luminance has a size: a disk with \"radius_m\": 0.01";
     if (luminance && type == LightType::line) return units + "; what has a luminance has a size: a tube";
     return units;
+}
+
+/// lm of the part of a web that a spot's cones let through, by the midpoint rule.
+float lm_through_cones(const PhotometricProfile& profile, const Light& spot) {
+    constexpr int rings = 256, sectors = 72;
+    const float cos_inner = std::cos(spot.inner_cone_rad), cos_outer = std::cos(spot.outer_cone_rad);
+    double sum = 0.0;
+    for (int r = 0; r < rings; ++r) {
+        const double gamma = (r + 0.5) / rings * static_cast<double>(spot.outer_cone_rad);
+        double ring = 0.0;
+        for (int s = 0; s < sectors; ++s)
+            ring += intensity_cd(profile, (s + 0.5) * 360.0 / sectors, gamma * 180.0 / M_PI);
+        const auto cos_gamma = static_cast<float>(std::cos(gamma));
+        sum += ring * std::sin(gamma) *
+               static_cast<double>(shading::angle_attenuation(cos_gamma, cos_inner, cos_outer));
+    }
+    return static_cast<float>(sum * 2.0 * M_PI / sectors * static_cast<double>(spot.outer_cone_rad) / rings);
+}
+
+LightQuantities profile_quantities(const Light& light, const PhotometricProfile& profile) {
+    LightQuantities q;
+    const float factor = light.intensity * shading::luminance(light.color);
+    q.power_lm = factor * static_cast<float>(integrated_lm(profile));
+    q.emitted_lm = light.type == LightType::spot ? factor * lm_through_cones(profile, light) : *q.power_lm;
+    q.intensity_cd = factor * static_cast<float>(intensity_cd(profile, 0.0, 0.0));
+    q.peak_cd = factor * static_cast<float>(peak(profile).candela);
+    q.illuminance_at_1m_lx = *q.intensity_cd * *lx_at_1m(light);
+    if (light.efficacy_lm_per_w > 0.0f)
+        q.power_w = shading::watt_from_lm(*q.power_lm, light.efficacy_lm_per_w);
+    return q;
 }
 
 }  // namespace
@@ -163,13 +204,28 @@ float intensity_from(const Light& light, const LightStrength& s, const std::stri
     return light.type == LightType::sun ? shading::sun_lx_from_nit(nit, light.angular_diameter_rad) : nit;
 }
 
+float profile_factor_from(const Light& light, const PhotometricProfile& profile, ProfileScale scale,
+                          const LightStrength& s, const std::string& where) {
+    const float intensity = intensity_from(light, s, where);
+    if (scale == ProfileScale::mask) {
+        const auto peak_cd = static_cast<float>(peak(profile).candela);
+        if (!(peak_cd > 0.0f)) throw input_error("the profile is dark", where);
+        return intensity / peak_cd;
+    }
+    const auto web_lm = static_cast<float>(integrated_lm(profile));
+    if (!(web_lm > 0.0f)) throw input_error("the profile is dark", where);
+    return (s.unit == LightUnit::watt ? shading::lm_from_watt(s.value, s.efficacy_lm_per_w) : s.value) /
+           web_lm;
+}
+
 std::optional<float> power_lm(const Light& light) {
     if (is_distant(light.type)) return std::nullopt;
     const float per_lm = intensity_of_lm(light, 1.0f);
     return light.intensity / per_lm;
 }
 
-LightQuantities quantities(const Light& light) {
+LightQuantities quantities(const Light& light, const PhotometricProfile* profile) {
+    if (profile) return profile_quantities(light, *profile);
     LightQuantities q;
     const float luminance = shading::luminance(light.color);
     const float strength = light.intensity * luminance;

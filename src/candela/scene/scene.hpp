@@ -103,7 +103,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Light> lights;
-    std::vector<PhotometricProfile> profiles;
+    std::vector<PhotometricProfile> profiles;  ///< Light::profile points here
     std::vector<Camera> cameras;
     std::vector<Node> nodes;  ///< those that have a name
     std::optional<Environment> environment;

@@ -1,6 +1,6 @@
 #include <glm/geometric.hpp>
 
-#include "candela/measure/area_truth.hpp"
+#include "candela/measure/area_configurations.hpp"
 #include "candela/measure/numerics.hpp"
 #include "shading/lights/tube.glsl"
 
@@ -17,78 +17,6 @@ const dvec3 kNormal(0.0, 0.0, 1.0);
 constexpr double kLeast_sr = 0.01;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Uniform numbers, the same in every run.
-class Numbers {
-  public:
-    double operator()(double low, double high) {
-        state_ ^= state_ << 13u;
-        state_ ^= state_ >> 17u;
-        state_ ^= state_ << 5u;
-        return low + (high - low) * (double(state_) + 0.5) / 4294967296.0;
-    }
-    dvec3 direction() {
-        const double z = (*this)(-1.0, 1.0);
-        const double a = (*this)(0.0, 2.0 * kPi);
-        const double r = std::sqrt(1.0 - z * z);
-        return {r * std::cos(a), r * std::sin(a), z};
-    }
-    /// Unit and perpendicular to unit v.
-    dvec3 perpendicular(const dvec3& v) { return glm::normalize(glm::cross(v, direction())); }
-    /// Unit, on the side of `towards`.
-    dvec3 direction_towards(const dvec3& towards) {
-        const dvec3 v = direction();
-        return glm::dot(v, towards) < 0.0 ? -v : v;
-    }
-
-  private:
-    std::uint32_t state_ = 0x9e3779b9u;
-};
-
-// How far a light reaches to both sides of its centre along z, the height over the receiver's horizon.
-double reach(const SphereLight& l) {
-    return l.radius;
-}
-double reach(const DiskLight& l) {
-    return l.radius * std::sqrt(std::max(1.0 - l.direction.z * l.direction.z, 0.0));
-}
-double reach(const RectangleLight& l) {
-    return l.half_width * std::abs(l.right.z) + l.half_height * std::abs(l.up.z);
-}
-double reach(const TubeLight& l) {
-    return l.half_length * std::abs(l.axis.z) + l.radius;
-}
-
-// Close range: the centre is within 0.5 to 3 times the light's largest half extent. The light faces the
-// receiver, who is outside of it.
-void draw(Numbers& u, SphereLight& l) {
-    l.radius = u(0.1, 1.0);
-    l.center = u.direction() * l.radius * u(1.02, 3.0);
-}
-void draw(Numbers& u, DiskLight& l) {
-    l.radius = u(0.1, 1.0);
-    l.center = u.direction() * l.radius * u(1.0, 3.0);
-    l.direction = -u.direction_towards(l.center);
-}
-void draw(Numbers& u, RectangleLight& l) {
-    l.half_width = u(0.1, 1.0);
-    l.half_height = u(0.1, 1.0);
-    l.center = u.direction() * std::max(l.half_width, l.half_height) * u(1.0, 3.0);
-    const dvec3 away = u.direction_towards(l.center);
-    l.right = u.perpendicular(away);
-    l.up = glm::cross(away, l.right);
-}
-void draw(Numbers& u, TubeLight& l) {
-    double outside = 0.0;
-    do {
-        l.half_length = u(0.1, 1.0);
-        l.radius = l.half_length * u(0.02, 0.5);
-        l.axis = u.direction();
-        l.center = u.direction() * l.half_length * u(0.5, 3.0);
-        const double nearest = std::clamp(-glm::dot(l.center, l.axis), -l.half_length, l.half_length);
-        outside = glm::length(l.center + nearest * l.axis) / l.radius;
-    } while (outside < 1.02);
-}
-
 template <class Light>
 struct Configurations {
     std::vector<Light> lights;
@@ -99,7 +27,7 @@ struct Configurations {
 template <class Light>
 Configurations<Light> draw_configurations(bool crossing, double at_least_sr) {
     Configurations<Light> out;
-    Numbers u;
+    RandomNumbers u;
     while (int(out.lights.size()) < kConfigurations) {
         Light l;
         draw(u, l);
@@ -442,13 +370,15 @@ Findings run() {
         "out the same: "
         "structured sampling before all representative points, these of little use above the horizon and of "
         "none "
-        "across it, and the brute-force point no better than its approximations. The paper's 0.0024 of the "
+        "across it, where the brute-force point is no better than its approximations. The paper's 0.0024 of "
+        "the "
         "form factor "
         "is the noise of its truth: above the horizon the form factor is exact. All four defaults are exact "
         "to single "
         "precision on both sides: the rectangle clipped at the horizon, which the paper held too costly, "
         "costs "
-        "what structured sampling costs, and the oriented disk and the capsule, for which it knew no form, "
+        "about what structured sampling costs, and the oriented disk and the capsule, for which it knew no "
+        "form, "
         "have one.";
     return out;
 }
