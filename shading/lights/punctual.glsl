@@ -32,6 +32,16 @@ FN float angle_attenuation(float cos_angle, float cos_inner, float cos_outer) {
     return square(saturate((cos_angle - cos_outer) / max(cos_inner - cos_outer, 1.0e-5f)));
 }
 
+// 1 within the rectangular pyramid of a frustum light, else 0 (Frostbite Table 9: a uniform intensity within it).
+// travels: unit, from the light; direction, right, up: its frame; tangents of half its opening angles, which are under pi.
+FN float frustum_attenuation(vec3 travels, vec3 direction, vec3 right, vec3 up, float tan_half_horizontal,
+                             float tan_half_vertical) {
+    float ahead = dot(travels, direction);
+    bool inside = ahead > 0.0f && abs(dot(travels, right)) <= ahead * tan_half_horizontal &&
+                  abs(dot(travels, up)) <= ahead * tan_half_vertical;
+    return inside ? 1.0f : 0.0f;
+}
+
 CANDELA_SHADING_END
 
 #endif
