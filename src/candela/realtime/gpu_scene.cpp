@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "candela/realtime/light_block.hpp"
 #include "candela/realtime/material_block.hpp"
 #include "candela/realtime/mipmaps.hpp"
 #include "candela/realtime/opacity.hpp"
@@ -108,45 +109,6 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
     commands.use(image, gpu::Use::sampled);
     commands.submit_and_wait();
     return image;
-}
-
-/// std430 layout of a light in shaders/lights.glsl.
-struct LightBlock {
-    glm::vec4 position_range;
-    glm::vec4 color_type;
-    glm::vec4 direction_a;
-    glm::vec4 right_b;
-    glm::ivec4 links;
-};
-
-/// What the types keep in the fourth component of the direction and of `right`.
-glm::vec2 type_numbers(const scene::Light& light) {
-    switch (light.type) {
-        case scene::LightType::spot:
-            return {std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad)};
-        case scene::LightType::frustum:
-            return {std::tan(0.5f * light.horizontal_angle_rad), std::tan(0.5f * light.vertical_angle_rad)};
-        case scene::LightType::sun:
-            return {std::cos(0.5f * light.angular_diameter_rad), 0.0f};
-        case scene::LightType::rectangle:
-            return {light.half_width_m, light.half_height_m};
-        default:
-            return {light.half_width_m, light.radius_m};
-    }
-}
-
-LightBlock light_block(const scene::Light& light) {
-    constexpr int two_sided = 1;
-    constexpr int limb_darkening = 2;
-    const glm::vec2 numbers = type_numbers(light);
-    LightBlock block{};
-    block.position_range = glm::vec4(light.position, std::min(light.range_m, 1e18f));
-    block.color_type = glm::vec4(light.color * light.intensity, static_cast<float>(light.type));
-    block.direction_a = glm::vec4(light.direction, numbers.x);
-    block.right_b = glm::vec4(light.right, numbers.y);
-    block.links = glm::ivec4((light.two_sided ? two_sided : 0) | (light.limb_darkening ? limb_darkening : 0),
-                             -1, -1, 0);
-    return block;
 }
 
 }  // namespace

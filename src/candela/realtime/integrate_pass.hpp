@@ -16,7 +16,8 @@ enum class Strategy : std::uint8_t { both, light, bsdf };
 
 struct IntegrateOptions {
     Strategy strategy = Strategy::both;
-    std::uint32_t draws = 4;  ///< of each strategy in a sample of a pixel
+    std::uint32_t draws = 4;   ///< of each strategy in a sample of a pixel
+    bool ray_shadows = false;  ///< light is what reaches the surface, past the triangles of the scene
 };
 
 /// Draws for the one frame that the exposure is metered from: the mean of logarithms is lower than the
@@ -27,8 +28,11 @@ inline constexpr std::uint32_t kMeterDraws = 16;
 /// stays, for energy compensation, and pixels' footprints are supersampled.
 [[nodiscard]] Profile integrand(Profile profile);
 
-/// bake::EnvironmentDistribution in the order of shaders/integrate.glsl; one word without an environment.
-[[nodiscard]] gpu::Buffer upload_environment_distribution(const gpu::Device& device, gpu::Commands& commands,
-                                                          const scene::Environment* environment);
+/// What shaders/tables.glsl reads: the environment's distribution, the emitters and, for ray shadows, the
+/// scene's triangles. Throws Error (Fault::machine) when that is more than the device can bind.
+[[nodiscard]] gpu::Buffer upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
+                                                  const scene::Scene& scene, const IntegrateOptions& options);
+/// In place of the tables where nothing is integrated.
+[[nodiscard]] gpu::Buffer no_integrate_tables(const gpu::Device& device, gpu::Commands& commands);
 
 }  // namespace candela::realtime

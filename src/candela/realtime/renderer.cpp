@@ -63,9 +63,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
                                            : bake::DfgModel::smith_correlated);
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
-    const scene::Environment* integrated =
-        options.integrate && scene.environment ? &*scene.environment : nullptr;
-    frame.environment_distribution = upload_environment_distribution(device, commands, integrated);
+    frame.integrate_tables = options.integrate
+                                 ? upload_integrate_tables(device, commands, scene, *options.integrate)
+                                 : no_integrate_tables(device, commands);
     return frame;
 }
 

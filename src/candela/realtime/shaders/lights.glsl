@@ -1,4 +1,4 @@
-// The lights of the scene. C++: LightBlock in gpu_scene.cpp.
+// The lights of the scene. C++: LightBlock in light_block.hpp.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
 
@@ -11,7 +11,7 @@ struct Light {
                           //   spot cosine of the inner half angle, frustum tangent of half the horizontal angle,
                           //   line, tube half length in m, rectangle half width in m, sun cosine of the angular radius
     vec4 right_b;         // unit; w by type: spot cosine of the outer half angle, frustum tangent of half the vertical
-                          //   angle, rectangle half height in m, sphere, disk, tube radius in m
+                          //   angle, rectangle half height in m, sphere, disk, tube radius in m, sun angular radius in rad
     ivec4 links;          // x kTwoSided | ..., y row of the profile or layer of the image, z shadow; -1: none
 };
 
@@ -45,6 +45,11 @@ vec3 perpendicular_illuminance(Light light, vec3 position, out vec3 l) {
     if (type == kLightSpot) {
         float cos_angle = dot(-l, light.direction_a.xyz);
         attenuation *= angle_attenuation(cos_angle, light.direction_a.w, light.right_b.w);
+    }
+    if (type == kLightFrustum) {
+        vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
+        attenuation *= frustum_attenuation(-l, light.direction_a.xyz, light.right_b.xyz, up, light.direction_a.w,
+                                           light.right_b.w);
     }
     return light.color_type.rgb * attenuation;
 }
