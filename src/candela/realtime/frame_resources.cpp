@@ -20,7 +20,7 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.emissive),
             bits(frame.write_aovs),
             bits(variant.forward),
-            bits(frame.integrate.value_or(Strategy::both))};
+            frame.integrate_tables.variant};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
@@ -37,7 +37,7 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
-            gpu::bind_buffer(frame.integrate_tables)};
+            gpu::bind_buffer(frame.integrate_tables.buffer)};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -46,7 +46,7 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.environment.specular, gpu::Use::sampled);
     commands.use(frame.environment.irradiance, gpu::Use::sampled);
     commands.use(frame.environment.background, gpu::Use::sampled);
-    commands.use(frame.integrate_tables, gpu::Use::storage_read);
+    commands.use(frame.integrate_tables.buffer, gpu::Use::storage_read);
 }
 
 }  // namespace candela::realtime

@@ -78,7 +78,7 @@ struct FrameResources {
 
     gpu::Image dfg;
     bake::EnvironmentMaps environment;
-    gpu::Buffer integrate_tables;    ///< empty when nothing is integrated
+    IntegrateTables integrate_tables;
     gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
     gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
     gpu::Owned<VkSampler> nearest;

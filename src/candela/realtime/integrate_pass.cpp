@@ -78,18 +78,20 @@ Profile integrand(Profile profile) {
     return profile;
 }
 
-gpu::Buffer upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
-                                    const scene::Scene& scene, const IntegrateOptions& options) {
+IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
+                                        const scene::Scene& scene,
+                                        const std::optional<IntegrateOptions>& options) {
+    Tables tables;
+    if (!options) return {upload(device, commands, tables), 0};
     PackedTextures textures(scene);
     AlphaRecords alphas(scene, textures);
     const Emitters emitters = collect_emitters(scene, alphas, textures);
     RayScene rays;
-    if (options.ray_shadows) rays = build_ray_scene(scene, alphas);
+    if (options->ray_shadows) rays = build_ray_scene(scene, alphas);
     std::vector<LightBlock> lights;
     for (const scene::Light& light : scene.lights) lights.push_back(light_block(light));
 
     const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
-    Tables tables;
     std::array<std::uint32_t, 16> header{};
     header[0] = tables.append(environment_table(scene));
     header[1] = tables.append_quads(emitters.asked);
@@ -106,12 +108,15 @@ gpu::Buffer upload_integrate_tables(const gpu::Device& device, gpu::Commands& co
     header[12] = tables.append_quads(rays.triangles);
     header[13] = tables.append_quads(lights);
     tables.write_header(header);
-    check_fits(device, tables.words().size() * sizeof(std::uint32_t), options.ray_shadows);
-    return upload(device, commands, tables);
-}
+    check_fits(device, tables.words().size() * sizeof(std::uint32_t), options->ray_shadows);
 
-gpu::Buffer no_integrate_tables(const gpu::Device& device, gpu::Commands& commands) {
-    return upload(device, commands, Tables());
+    IntegrateTables out{upload(device, commands, tables), static_cast<std::uint32_t>(options->strategy)};
+    const auto has = [&](std::uint32_t bit, bool any) { out.variant |= any ? bit : 0u; };
+    has(4, !rays.nodes.empty());
+    has(8, !emitters.items.empty());
+    has(16, !emitters.asked.empty());
+    has(32, !alphas.quads().empty());
+    return out;
 }
 
 }  // namespace candela::realtime

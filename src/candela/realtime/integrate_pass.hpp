@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/profile.hpp"
@@ -29,10 +30,16 @@ inline constexpr std::uint32_t kMeterDraws = 16;
 [[nodiscard]] Profile integrand(Profile profile);
 
 /// What shaders/tables.glsl reads: the environment's distribution, the emitters and, for ray shadows, the
-/// scene's triangles. Throws Error (Fault::machine) when that is more than the device can bind.
-[[nodiscard]] gpu::Buffer upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
-                                                  const scene::Scene& scene, const IntegrateOptions& options);
-/// In place of the tables where nothing is integrated.
-[[nodiscard]] gpu::Buffer no_integrate_tables(const gpu::Device& device, gpu::Commands& commands);
+/// scene's triangles.
+struct IntegrateTables {
+    gpu::Buffer buffer;
+    std::uint32_t variant =
+        0;  ///< kIntegrate of shaders/integrate.glsl: the strategy and what there is to find
+};
+/// Throws Error (Fault::machine) when the tables are more than the device can bind. Without options: an empty
+/// header.
+[[nodiscard]] IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
+                                                      const scene::Scene& scene,
+                                                      const std::optional<IntegrateOptions>& options);
 
 }  // namespace candela::realtime

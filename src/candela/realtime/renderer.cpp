@@ -63,9 +63,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
                                            : bake::DfgModel::smith_correlated);
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
-    frame.integrate_tables = options.integrate
-                                 ? upload_integrate_tables(device, commands, scene, *options.integrate)
-                                 : no_integrate_tables(device, commands);
+    frame.integrate_tables = upload_integrate_tables(device, commands, scene, options.integrate);
     return frame;
 }
 

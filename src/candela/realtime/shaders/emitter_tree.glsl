@@ -27,7 +27,7 @@ float node_importance(uint node, vec3 position, vec3 n) {
                                position - center, n);
 }
 
-// Probability that a walk which stands at a node goes on to the first child, the node after it.
+// Probability that a walk which stands at a node goes on to the first child, the node after it; negative: neither.
 float first_child_share(uint node, vec3 position, vec3 n) {
     float first = node_importance(node + 1u, position, n);
     float both = first + node_importance(emitter_low(node + 1u).w, position, n);

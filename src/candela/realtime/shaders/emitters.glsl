@@ -138,7 +138,7 @@ vec3 triangle_luminance(EmissiveTriangle t, vec3 l, vec2 at) {
     vec2 uv_c = uintBitsToFloat(table_quads[t.first + 5u].xy);
     vec2 uv = (1.0 - at.x - at.y) * uv_ab.xy + at.x * uv_ab.zw + at.y * uv_c;
     vec3 nit = quad_vec3(t.first + 3u) * read_packed(table_quads[t.first].w, uv, true).rgb;
-    return nit * (1.0 - transparency(table_quads[t.first + 1u].w, at));
+    return kHasTransparency ? nit * (1.0 - transparency(table_quads[t.first + 1u].w, at)) : nit;
 }
 
 // Under this a triangle is flat enough for a point drawn on its area, and single precision too coarse for its sides.

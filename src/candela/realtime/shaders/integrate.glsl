@@ -8,14 +8,21 @@
 #include "shade.glsl"
 #include "bsdf_sampling.glsl"
 #include "environment_sampling.glsl"
-#include "emitters.glsl"
 #include "sequence.glsl"
 
 // C++: Strategy.
 const int kStrategyBoth = 0;
 const int kStrategyLight = 1;
 const int kStrategyBsdf = 2;
-layout(constant_id = 15) const int kStrategy = kStrategyBoth;
+// The strategy and, above it, what the tables hold (C++: IntegrateVariant): what is not there is not in the pipeline.
+layout(constant_id = 15) const int kIntegrate = 0;
+const int kStrategy = kIntegrate & 3;
+const bool kCastsRays = (kIntegrate & 4) != 0;
+const bool kHasEmitters = (kIntegrate & 8) != 0;
+const bool kHasAsked = (kIntegrate & 16) != 0;
+const bool kHasTransparency = (kIntegrate & 32) != 0;
+
+#include "emitters.glsl"
 
 // bake/environment_distribution.hpp: height + 1 entries of rows, then height rows of width + 1 entries.
 float environment_cdf(int index) { return table_floats[environment_first_float() + uint(index)]; }
@@ -84,7 +91,7 @@ struct Receiver {
 Receiver receiver(SurfacePoint p) {
     Receiver r;
     r.p = p;
-    if (casts_rays()) {
+    if (kCastsRays) {
         r.rays = ray_origins(p.position, p.v, p.g.normal);
         r.p.position = r.rays.position;
     }
@@ -102,62 +109,53 @@ Receiver receiver(SurfacePoint p) {
     return r;
 }
 
-float lobes_pdf(Receiver r, vec3 l) {
-    return pdf_bsdf(r.lobes, r.p.g.surface, r.p.g.normal, r.tangent, r.bitangent, r.p.g.coat_normal, r.p.v, l);
+// One draw, by whichever way.
+struct Draw {
+    vec3 l;
+    vec3 direct;    // cd/m^2, or lx of lights without extent, times all but the BSDF, the cosine and the weight
+    vec3 indirect;  // of the environment
+    float distance_m;
+    float pdf;    // 1/sr with which it was drawn; 0: nothing
+    bool only;    // no other way draws it
+    bool blocked;  // by what is in the way
+};
+const Draw kNoDraw = Draw(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), 0.0, 0.0, false, false);
+
+Draw from_arrival(Arrival a, float probability, bool shadows) {
+    return Draw(a.l, a.light, vec3(0.0), a.distance_m, a.pdf * probability, a.delta, shadows);
 }
 
-// Adds light from direction l, where `light` holds all but the BSDF and the cosine.
-void add_light(Receiver r, vec3 l, vec3 light, inout vec3 diffuse_nit, inout vec3 specular_nit) {
-    float NoL = dot(r.p.g.normal, l);
-    vec3 diffuse;
-    vec3 specular;
-    evaluate(r.p, l, NoL, diffuse, specular);
-    diffuse_nit += diffuse * (light * NoL);
-    specular_nit += specular * (light * NoL);
-}
-
-// Of a draw by the light's own way with density pdf, against the BSDF's.
-float light_draw_weight(Receiver r, vec3 l, float pdf) {
-    return kStrategy == kStrategyBoth ? power_heuristic(pdf, lobes_pdf(r, l)) : 1.0;
-}
-// Of a draw by the BSDF with density pdf, against the light's own.
-float bsdf_draw_weight(float pdf, float pdf_light) {
-    return kStrategy == kStrategyBoth ? power_heuristic(pdf, pdf_light) : 1.0;
-}
-
-// One draw towards an emitter. probability: of this emitter among others.
-void add_arrival(Receiver r, Arrival a, float probability, bool shadows, float scale, inout Lit lit) {
-    float pdf = a.pdf * probability;
-    if (!(pdf > 0.0) || dot(r.p.g.normal, a.l) <= 0.0 || max_component(a.light) <= 0.0) return;
-    if (!a.delta && kStrategy == kStrategyBsdf) return;
-    float weight = a.delta ? 1.0 : light_draw_weight(r, a.l, pdf);
-    if (shadows) weight *= visible(r.rays, a.l, a.distance_m);
-    if (weight > 0.0) add_light(r, a.l, a.light * (scale * weight / pdf), lit.direct_diffuse, lit.direct_specular);
-}
-
-void add_environment_draw(Receiver r, uint index, uint seed, ivec2 size, float scale, inout Lit lit) {
-    float pdf;
-    vec3 d = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), size, pdf);
-    vec3 l = from_environment(d);
+Draw environment_draw(Receiver r, uint index, uint seed, ivec2 size) {
+    Draw d = kNoDraw;
+    vec3 local = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), size, d.pdf);
+    d.l = from_environment(local);
+    d.distance_m = kNoEnd;
+    d.blocked = true;
     // What the surface faces away from weighs nothing: its texels need no reading.
-    if (dot(r.p.g.normal, l) <= 0.0 || !(pdf > 0.0)) return;
-    float weight = light_draw_weight(r, l, pdf) * visible(r.rays, l, kNoEnd);
-    if (weight <= 0.0) return;
-    add_light(r, l, environment_luminance_nit(d, size) * (scale * weight / pdf), lit.indirect_diffuse,
-              lit.indirect_specular);
+    if (dot(r.p.g.normal, d.l) > 0.0) d.indirect = environment_luminance_nit(local, size);
+    return d;
 }
 
-void add_emitter_draw(Receiver r, uint index, uint seed, float scale, inout Lit lit) {
+Draw emitter_draw(Receiver r, uint index, uint seed) {
     float probability;
     uint item = sample_emitter(r.p.position, r.p.g.normal, sobol_owen_pair(index, kPairChoice, seed).y, probability);
-    if (probability <= 0.0) return;
+    if (probability <= 0.0) return kNoDraw;
     uvec4 what = emitter_item(item);
-    Arrival a = sample_item(what, sobol_owen_pair(index, kPairEmitter, seed), r.p.position);
-    add_arrival(r, a, probability, what.z != 0u, scale, lit);
+    return from_arrival(sample_item(what, sobol_owen_pair(index, kPairEmitter, seed), r.p.position), probability,
+                        what.z != 0u);
 }
 
-// What arrives along a direction that the BSDF drew, weighted: every emitter that the ray enters, as none is in the way
-// of another.
+Draw asked_draw(Receiver r, uint k, uint index, uint seed) {
+    uvec4 what = table_quads[asked_first() + k];
+    Light light = light_at(what.x);
+    if (type_of(light) == kLightSun) {
+        return from_arrival(sample_sun_light(light, sobol_owen_pair(index, kPairAsked + k, seed)), 1.0, what.y != 0u);
+    }
+    return from_arrival(only_arrival(light, r.p.position), 1.0, what.y != 0u);
+}
+
+// What arrives along a direction that the BSDF drew with density pdf, weighted: every emitter that the ray enters, as none
+// is in the way of another.
 vec3 emitters_along(Receiver r, vec3 l, float pdf) {
     vec3 sum = vec3(0.0);
     vec3 position = r.p.position;
@@ -177,89 +175,113 @@ vec3 emitters_along(Receiver r, vec3 l, float pdf) {
         uvec4 what = emitter_item(item);
         Arrival a = item_from(what, position, l);
         if (!(a.pdf > 0.0) || max_component(a.light) <= 0.0) continue;
-        float probability = kStrategy == kStrategyBoth ? emitter_probability(position, r.p.g.normal, item) : 1.0;
-        float weight = bsdf_draw_weight(pdf, a.pdf * probability);
-        if (what.z != 0u) weight *= visible(r.rays, l, a.distance_m);
+        float weight = 1.0;
+        if (kStrategy == kStrategyBoth) {
+            weight = power_heuristic(pdf, a.pdf * emitter_probability(position, r.p.g.normal, item));
+        }
+        if (kCastsRays && what.z != 0u) weight *= visible(r.rays, l, a.distance_m);
         sum += a.light * weight;
     }
     return sum;
 }
-vec3 suns_along(Receiver r, vec3 l, float pdf, inout float sky_visible) {
-    vec3 sum = vec3(0.0);
+
+// The suns in a direction that the BSDF drew: first those that cast shadows, then the others.
+void suns_along(vec3 l, float pdf, out vec3 shadowed, out vec3 unshadowed) {
+    shadowed = unshadowed = vec3(0.0);
     for (uint k = 0u; k < asked_count(); ++k) {
         uvec4 what = table_quads[asked_first() + k];
         Light light = light_at(what.x);
         if (type_of(light) != kLightSun) continue;
         Arrival a = sun_from(light, l);
         if (!(a.pdf > 0.0)) continue;
-        float weight = bsdf_draw_weight(pdf, a.pdf);
+        vec3 weighted = a.light * (kStrategy == kStrategyBoth ? power_heuristic(pdf, a.pdf) : 1.0);
         if (what.y != 0u) {
-            if (sky_visible < 0.0) sky_visible = visible(r.rays, l, kNoEnd);
-            weight *= sky_visible;
-        }
-        sum += a.light * weight;
-    }
-    return sum;
-}
-
-void add_bsdf_draw(Receiver r, uint index, uint seed, ivec2 size, float scale, inout Lit lit) {
-    GBuffer g = r.p.g;
-    float choice = sobol_owen_pair(index, kPairChoice, seed).x;
-    vec3 l = sample_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v, choice,
-                         sobol_owen_pair(index, kPairBsdf, seed));
-    if (dot(g.normal, l) <= 0.0) return;
-    float pdf = lobes_pdf(r, l);
-    if (!(pdf > 0.0)) return;
-    float sky_visible = -1.0;  // not known yet
-    vec3 direct_nit = emitters_along(r, l, pdf) + suns_along(r, l, pdf, sky_visible);
-    vec3 environment_nit = vec3(0.0);
-    if (kHasEnvironment) {
-        vec3 d = to_environment(l);
-        float weight = bsdf_draw_weight(pdf, environment_pdf(environment_texel(d, size), size));
-        if (sky_visible < 0.0) sky_visible = visible(r.rays, l, kNoEnd);
-        environment_nit = environment_luminance_nit(d, size) * (weight * sky_visible);
-    }
-    vec3 diffuse = vec3(0.0);
-    vec3 specular = vec3(0.0);
-    add_light(r, l, vec3(scale / pdf), diffuse, specular);
-    lit.direct_diffuse += diffuse * direct_nit;
-    lit.direct_specular += specular * direct_nit;
-    lit.indirect_diffuse += diffuse * environment_nit;
-    lit.indirect_specular += specular * environment_nit;
-}
-
-// Lights that every sample asks: those without extent are exact, and a sun has its own draw.
-void add_asked_lights(Receiver r, uint first_draw, uint seed, inout Lit lit) {
-    for (uint k = 0u; k < asked_count(); ++k) {
-        uvec4 what = table_quads[asked_first() + k];
-        Light light = light_at(what.x);
-        if (type_of(light) != kLightSun) {
-            add_arrival(r, only_arrival(light, r.p.position), 1.0, what.y != 0u, 1.0, lit);
-            continue;
-        }
-        for (uint i = 0u; i < frame.random.z; ++i) {
-            Arrival a = sample_sun_light(light, sobol_owen_pair(first_draw + i, kPairAsked + k, seed));
-            add_arrival(r, a, 1.0, what.y != 0u, 1.0 / float(frame.random.z), lit);
+            shadowed += weighted;
+        } else {
+            unshadowed += weighted;
         }
     }
 }
 
-// One sample of the integrals at a surface point; its mean over frame.random.x converges to them.
+// Adds a draw that a light made, or (by_bsdf) that the BSDF made: then it sees the sky, suns and emitters of its own.
+void add_draw(Receiver r, Draw d, bool by_bsdf, float scale, ivec2 size, inout Lit lit) {
+    float NoL = dot(r.p.g.normal, d.l);
+    if (NoL <= 0.0) return;
+    float pdf_lobes = 0.0;
+    if (by_bsdf || (kStrategy == kStrategyBoth && !d.only)) {
+        GBuffer g = r.p.g;
+        pdf_lobes = pdf_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v, d.l);
+    }
+    vec3 unblocked = vec3(0.0);
+    if (by_bsdf) {
+        d.pdf = pdf_lobes;
+        if (!(d.pdf > 0.0)) return;
+        if (kHasEmitters) unblocked = emitters_along(r, d.l, d.pdf);
+        if (kHasAsked) {
+            vec3 suns;
+            suns_along(d.l, d.pdf, d.direct, suns);
+            unblocked += suns;
+        }
+        if (kHasEnvironment) {
+            vec3 local = to_environment(d.l);
+            float other = environment_pdf(environment_texel(local, size), size);
+            d.indirect = environment_luminance_nit(local, size) *
+                         (kStrategy == kStrategyBoth ? power_heuristic(d.pdf, other) : 1.0);
+        }
+    }
+    if (!(d.pdf > 0.0)) return;
+    float weight = scale / d.pdf;
+    if (!by_bsdf && kStrategy == kStrategyBoth && !d.only) weight *= power_heuristic(d.pdf, pdf_lobes);
+    if (kCastsRays && d.blocked && max_component(d.direct + d.indirect) > 0.0) {
+        float through = visible(r.rays, d.l, d.distance_m);
+        d.direct *= through;
+        d.indirect *= through;
+    }
+    d.direct += unblocked;
+    if (max_component(d.direct + d.indirect) <= 0.0) return;
+    vec3 diffuse;
+    vec3 specular;
+    evaluate(r.p, d.l, NoL, diffuse, specular);
+    weight *= NoL;
+    lit.direct_diffuse += diffuse * (d.direct * weight);
+    lit.direct_specular += specular * (d.direct * weight);
+    lit.indirect_diffuse += diffuse * (d.indirect * weight);
+    lit.indirect_specular += specular * (d.indirect * weight);
+}
+
+// One sample of the integrals at a surface point; its mean over frame.random.x converges to them. Every draw ends in the
+// same code, once in the shader: environment, emitters and BSDF in turn, and before them the lights that are asked.
 Lit integrate(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
     Receiver r = receiver(surface_point(g, position, v));
     Lit lit = kNoLight;
     uint seed = pixel_seed(pixel, frame.random.y);
     ivec2 size = textureSize(background_map, 0);
-    bool any_emitter = emitter_node_count() > 0u;
     uint draws = frame.random.z;
-    uint first_draw = frame.random.x * draws;
+    uint asked = kHasAsked ? asked_count() * draws : 0u;
     float scale = 1.0 / float(draws);
-    add_asked_lights(r, first_draw, seed, lit);
-    if (!kHasEnvironment && !any_emitter && asked_count() == 0u) return lit;
-    for (uint i = first_draw; i < first_draw + draws; ++i) {
-        if (kHasEnvironment && kStrategy != kStrategyBsdf) add_environment_draw(r, i, seed, size, scale, lit);
-        if (any_emitter) add_emitter_draw(r, i, seed, scale, lit);
-        if (kStrategy != kStrategyLight) add_bsdf_draw(r, i, seed, size, scale, lit);
+    for (uint step = 0u; step < asked + 3u * draws; ++step) {
+        uint way = step < asked ? 3u : (step - asked) % 3u;
+        uint index = frame.random.x * draws + (step < asked ? step % draws : (step - asked) / 3u);
+        Draw d = kNoDraw;
+        if (kHasAsked && way == 3u) {
+            d = asked_draw(r, step / draws, index, seed);
+            // Of what is exact once is enough.
+            if (d.only && step % draws != 0u) continue;
+            if (d.only) d.pdf *= scale;
+        }
+        if (kHasEnvironment && kStrategy != kStrategyBsdf && way == 0u) d = environment_draw(r, index, seed, size);
+        if (kHasEmitters && way == 1u) d = emitter_draw(r, index, seed);
+        if (way != 2u) {
+            if (!d.only && kStrategy == kStrategyBsdf) continue;
+        } else {
+            if (kStrategy == kStrategyLight) continue;
+            float choice = sobol_owen_pair(index, kPairChoice, seed).x;
+            d.l = sample_bsdf(r.lobes, g.surface, r.p.g.normal, r.tangent, r.bitangent, r.p.g.coat_normal, r.p.v, choice,
+                              sobol_owen_pair(index, kPairBsdf, seed));
+            d.distance_m = kNoEnd;
+            d.blocked = true;
+        }
+        add_draw(r, d, way == 2u, scale, size, lit);
     }
     return lit;
 }

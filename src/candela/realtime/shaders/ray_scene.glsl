@@ -10,8 +10,6 @@
 // Further away than anything.
 const float kNoEnd = 1.0e30;
 
-bool casts_rays() { return ray_node_count() > 0u; }
-
 vec3 ray_inverse(vec3 direction) {
     vec3 safe = mix(direction, vec3(1.0e-20), lessThan(abs(direction), vec3(1.0e-20)));
     return 1.0 / safe;
@@ -66,7 +64,7 @@ float transmitted(vec3 origin, vec3 direction, float t_max) {
             vec2 at;
             float t = meet_triangle(origin, direction, uintBitsToFloat(a.xyz), quad_vec3(first + 1u),
                                     quad_vec3(first + 2u), at);
-            if (t > 0.0 && t < t_max) through *= transparency(a.w, at);
+            if (t > 0.0 && t < t_max) through *= kHasTransparency ? transparency(a.w, at) : 0.0;
         }
         if (through <= 0.0) return 0.0;
     }
@@ -138,7 +136,6 @@ RayOrigins ray_origins(vec3 position, vec3 v, vec3 n) {
 
 // Part of the light that reaches the surface from distance_m away along unit l; kNoEnd: from infinitely far.
 float visible(RayOrigins r, vec3 l, float distance_m) {
-    if (!casts_rays()) return 1.0;
     vec3 origin = dot(r.geometric, l) >= kGrazingCosine ? r.flat_origin : r.smooth_origin;
     if (distance_m >= kNoEnd) return transmitted(origin, l, kNoEnd);
     vec3 way = r.position + l * distance_m - origin;
