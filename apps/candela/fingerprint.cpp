@@ -76,6 +76,11 @@ void add_light(const scene::Scene& scene, Digest& digest) {
                        l.angular_diameter_rad, l.limb_darkening, l.radius_m, l.half_width_m, l.half_height_m,
                        l.two_sided, l.visible, l.casts_shadow, l.profile, l.image);
     }
+    for (const scene::PhotometricProfile& p : scene.profiles) {
+        digest.add(p.vertical_deg);
+        digest.add(p.horizontal_deg);
+        digest.add(p.candela);
+    }
     if (!scene.environment) return;
     const scene::Environment& e = *scene.environment;
     digest.numbers(e.width, e.height, e.scale, e.rotation_rad, e.visible);

@@ -5,7 +5,7 @@
 // ellipse's radius r(phi). Guillen et al. 2017 ("Area-Preserving Parameterizations for Spherical Ellipses") draw phi in
 // exact proportion to that, with a numeric inversion. Here it is drawn from the circle-to-ellipse map of another ellipse,
 // whose squared half axes are 1 - cos(theta) at the two ends: in proportion at four azimuths, near it everywhere (the
-// density leaves the uniform one by under 20 %), and its density is closed. Within an azimuth cos(theta) is uniform.
+// density leaves the uniform one by at most 6 %), and its density is closed. Within an azimuth cos(theta) is uniform.
 #ifndef CANDELA_LIGHTS_DISK_SAMPLING_GLSL
 #define CANDELA_LIGHTS_DISK_SAMPLING_GLSL
 

@@ -11,7 +11,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/truth/checkpoint.hpp"
 #include "common/files.hpp"
-#include "trace.hpp"
+#include "lights.hpp"
 
 using namespace candela;
 using namespace candela::test;
@@ -24,6 +24,12 @@ scene::Scene small_room() {
     place(s, sphere(0.5f), grey(0.5f));
     place(s, flat_square(0.5f, {0, 2, 0}, false), lamp(100.0f));
     s.environment = constant(3.0f);
+    s.lights = {light_of(scene::LightType::sphere, {-1, 1, 0.5f}),
+                light_of(scene::LightType::tube, {1, 0.8f, 0}),
+                light_of(scene::LightType::sun, {}, {0.3f, -1.0f, -0.2f})};
+    for (scene::Light& l : s.lights) l.intensity = 5.0f;
+    s.lights[0].visible = true;
+    s.lights[0].radius_m = s.lights[1].radius_m = 0.1f;
     return s;
 }
 

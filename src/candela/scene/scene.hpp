@@ -13,6 +13,7 @@
 
 #include "candela/scene/light.hpp"
 #include "candela/scene/material.hpp"
+#include "candela/scene/photometric.hpp"
 
 /// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as
 /// glTF).
@@ -96,6 +97,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Light> lights;
+    std::vector<PhotometricProfile> profiles;  ///< Light::profile points here
     std::vector<Camera> cameras;
     std::optional<Environment> environment;
     Exposure exposure;

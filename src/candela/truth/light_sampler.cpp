@@ -1,9 +1,12 @@
 #include "candela/truth/light_sampler.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "candela/truth/light_bounds.hpp"
+#include "candela/truth/punctual_light.hpp"
 #include "shading/lights/punctual.glsl"
 #include "shading/lights/triangle.glsl"
 
@@ -53,56 +56,33 @@ struct SeenTriangle {
     }
 };
 
-LightSample sample_punctual(const scene::Light& light, const glm::vec3& point) {
-    LightSample out;
-    out.delta = true;
-    const glm::vec3 to_light = light.position - point;
-    out.distance_m = glm::length(to_light);
-    if (!(out.distance_m > 0.0f)) return out;
-    out.direction = to_light / out.distance_m;
-    float attenuation = shading::distance_attenuation(to_light, light.range_m);
-    if (light.type == scene::LightType::spot) {
-        attenuation *=
-            shading::angle_attenuation(glm::dot(-out.direction, light.direction),
-                                       std::cos(light.inner_cone_rad), std::cos(light.outer_cone_rad));
-    }
-    out.light = light.color * (light.intensity * attenuation);
-    out.pdf = 1.0f;
-    return out;
-}
-
 }  // namespace
 
 LightSampler::LightSampler(const scene::Scene& scene, const Geometry& geometry, const SurfaceReader& surfaces)
-    : geometry_(&geometry), surfaces_(&surfaces), light_of_triangle_(geometry.parts().size()) {
+    : scene_(&scene),
+      geometry_(&geometry),
+      surfaces_(&surfaces),
+      textures_(scene),
+      distant_(scene),
+      light_of_triangle_(geometry.parts().size()) {
     std::vector<LightBounds> bounds;
     for (const scene::Light& light : scene.lights) {
-        if (!(light.intensity > 0.0f)) continue;
-        if (light.type == scene::LightType::directional) {
-            directional_.push_back(&light);
-        } else {
-            add_punctual(light, bounds);
-        }
+        if (light.intensity > 0.0f && !scene::is_distant(light.type)) add_light(light, bounds);
     }
     for (std::uint32_t part = 0; part < geometry.parts().size(); ++part) {
         const scene::Material& m = surfaces.material(part);
         if (!m.unlit && m.emissive_nit != glm::vec3(0.0f)) add_emissive(part, bounds);
     }
     tree_ = LightTree(bounds);
+    std::vector<const scene::Light*> shapes;
+    for (const std::uint32_t i : shapes_) shapes.push_back(lights_[i].light);
+    shape_tree_ = ShapeTree(std::move(shapes));
 }
 
-void LightSampler::add_punctual(const scene::Light& light, std::vector<LightBounds>& bounds) {
-    LightBounds b;
-    b.box.extend(light.position);
-    b.power = light.intensity * shading::luminance(light.color);
-    if (light.type == scene::LightType::spot) {
-        b.axis = light.direction;
-        b.cos_emission = std::cos(light.outer_cone_rad);
-    } else {
-        b.cos_normals = -1.0f;
-    }
+void LightSampler::add_light(const scene::Light& light, std::vector<LightBounds>& bounds) {
+    if (scene::is_shape(light.type)) shapes_.push_back(static_cast<std::uint32_t>(lights_.size()));
     lights_.push_back({&light, 0, 0});
-    bounds.push_back(b);
+    bounds.push_back(light_bounds(light, *scene_, textures_));
 }
 
 void LightSampler::add_emissive(std::uint32_t part, std::vector<LightBounds>& bounds) {
@@ -137,6 +117,7 @@ LightSample LightSampler::sample_triangle(const NearLight& light, const glm::vec
                                           const glm::vec2& u) const {
     const SeenTriangle seen(*geometry_, light.part, light.triangle, point);
     LightSample out;
+    out.surface = true;
     glm::vec2 at;
     if (seen.spherical()) {
         out.direction =
@@ -170,33 +151,45 @@ LightSample LightSampler::sample_near(const glm::vec3& point, const glm::vec3& n
     const LightTree::Choice chosen = tree_.sample(point, normal, choice);
     if (!(chosen.probability > 0.0f)) return {};
     const NearLight& light = lights_[chosen.light];
-    LightSample out =
-        light.punctual ? sample_punctual(*light.punctual, point) : sample_triangle(light, point, u);
+    LightSample out = !light.light ? sample_triangle(light, point, u)
+                      : scene::is_shape(light.light->type)
+                          ? sample_shape(*light.light, point, u)
+                          : sample_punctual(*light.light, *scene_, point, u.x);
     out.pdf *= chosen.probability;
     return out;
 }
 
-LightSample LightSampler::sample_directional(const glm::vec3& normal, float choice) const {
-    const auto strength = [&](const scene::Light& light) {
-        return light.intensity * shading::luminance(light.color) *
-               std::max(-glm::dot(normal, light.direction), 0.0f);
-    };
-    float total = 0.0f;
-    for (const scene::Light* light : directional_) total += strength(*light);
+LightSample LightSampler::sample_shape(const scene::Light& light, const glm::vec3& point,
+                                       const glm::vec2& u) const {
+    const shading::LightDirection drawn = truth::sample_shape(light, point, u);
     LightSample out;
-    out.delta = true;
-    if (!(total > 0.0f)) return out;
-    float left = choice * total;
-    for (const scene::Light* light : directional_) {
-        const float own = strength(*light);
-        left -= own;
-        if (own <= 0.0f || (left > 0.0f && light != directional_.back())) continue;
-        out.direction = -light->direction;
-        out.light = light->color * light->intensity;
-        out.pdf = own / total;
-        return out;
-    }
+    out.casts_shadow = light.casts_shadow;
+    out.direction = drawn.direction;
+    out.distance_m = drawn.distance_m;
+    out.pdf = drawn.pdf;
+    if (!(drawn.pdf > 0.0f)) return out;
+    out.light = shape_nit(light, {point, drawn.direction}, drawn.distance_m) *
+                shading::window_attenuation(glm::distance(point, light.position), light.range_m);
     return out;
+}
+
+glm::vec3 LightSampler::shape_nit(const scene::Light& light, const Ray& ray, float distance_m) const {
+    const glm::vec3 nit = light.color * light.intensity;
+    if (light.type != scene::LightType::rectangle || light.image == scene::no_index) return nit;
+    const glm::vec3 from_center = ray.origin + ray.direction * distance_m - light.position;
+    return nit * textures_.read_srgb_image(
+                     light.image, shading::rectangle_image_uv(from_center, light.right, light.up(),
+                                                              light.half_width_m, light.half_height_m));
+}
+
+glm::vec3 LightSampler::shape_nit(std::uint32_t index, const Ray& ray, float distance_m) const {
+    return shape_nit(shape(index), ray, distance_m);
+}
+
+float LightSampler::pdf_shape(std::uint32_t index, const Ray& ray, const glm::vec3& normal) const {
+    const float probability = tree_.probability(ray.origin, normal, shapes_[index]);
+    return probability > 0.0f ? probability * truth::pdf_shape(shape(index), ray.origin, ray.direction)
+                              : 0.0f;
 }
 
 float LightSampler::pdf_triangle(const Ray& ray, const glm::vec3& normal, const Hit& hit) const {

@@ -60,12 +60,20 @@ LightBounds unite(const LightBounds& a, const LightBounds& b) {
     out.cos_emission = std::min(a.cos_emission, b.cos_emission);
     out.power = a.power + b.power;
     out.two_sided = a.two_sided || b.two_sided;
+    out.reach = a.reach;
+    out.reach.extend(b.reach);
     return out;
+}
+
+bool within(const scene::Aabb& box, const glm::vec3& p) {
+    return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
+           p.z <= box.max.z;
 }
 
 /// Estimate of what a node gives at a point: power over squared distance, times the best cosine at the node
 /// and at the receiver that its bounds allow. 0 only where nothing can arrive.
 float importance(const LightBounds& b, const glm::vec3& point, const glm::vec3& normal) {
+    if (!within(b.reach, point)) return 0.0f;
     const glm::vec3 center = 0.5f * (b.box.min + b.box.max);
     const glm::vec3 half = b.box.max - center;
     const glm::vec3 to_point = point - center;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "candela/scene/scene.hpp"
@@ -16,6 +17,12 @@ struct LightBounds {
     float cos_emission = 0.0f;         ///< light leaves a normal within this
     float power = 0.0f;                ///< any unit that is the same for all lights
     bool two_sided = false;
+    scene::Aabb reach = everywhere();  ///< outside of it nothing arrives: the windows of ranges
+
+    [[nodiscard]] static scene::Aabb everywhere() {
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        return {glm::vec3(-infinity), glm::vec3(infinity)};
+    }
 };
 
 /// Draws one of many lights in proportion to an estimate of what it gives at a point: a binary tree of

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "shading/lights/punctual.glsl"
+
 namespace candela::truth {
 namespace {
 
@@ -13,6 +15,8 @@ constexpr int kMaxSheets = 512;
 constexpr int kSureBounces = 3;
 /// Where the facets of a coarse mesh begin to shadow themselves; everywhere else the true surface is better.
 constexpr float kGrazingCosine = 0.1f;
+/// Rays to lights end this much before them, so that a light that lies on a surface is not hidden by it.
+constexpr float kBeforeLight = 1.0f - 1e-4f;
 
 bool black(const glm::vec3& c) {
     return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
@@ -160,6 +164,11 @@ void PathIntegrator::shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& 
     specular *= NoL;
 }
 
+float PathIntegrator::weight(Draws by, float own, float other) const {
+    if (options_.draws != Draws::all) return options_.draws == by ? 1.0f : 0.0f;
+    return shading::power_heuristic(own, other);
+}
+
 void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSample& light,
                                bool environment) const {
     if (!(light.pdf > 0.0f) || black(light.light)) return;
@@ -168,27 +177,28 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
     shade(vertex, light.direction, diffuse, specular);
     const glm::vec3 both = diffuse + specular;
     if (black(both)) return;
-    float weight = 1.0f / light.pdf;
-    // Without shadows a ray cannot find a surface behind others: near lights are then drawn in this way
-    // alone.
-    const bool only_way = light.delta || (!options_.shadows && !environment);
+    float share_of_draw = 1.0f;
+    // Without shadows a ray cannot find a surface behind others: these are then drawn in this way alone.
+    const bool only_way = light.delta || (!options_.shadows && light.surface);
     if (!only_way) {
         const SurfacePoint& p = vertex.point;
-        weight *= shading::power_heuristic(
-            light.pdf, shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
-                                         p.coat_normal, vertex.v, light.direction));
+        share_of_draw = weight(Draws::lights, light.pdf,
+                               shading::pdf_bsdf(vertex.lobes, p.surface, p.normal, p.tangent, p.bitangent,
+                                                 p.coat_normal, vertex.v, light.direction));
     }
+    if (!(share_of_draw > 0.0f)) return;
     Ray shadow{vertex.origin_towards(light.direction), light.direction, light.distance_m};
     if (std::isfinite(light.distance_m)) {
         const glm::vec3 way = vertex.origin + light.direction * light.distance_m - shadow.origin;
         const float length_m = glm::length(way);
         shadow.direction = way / std::max(length_m, 1e-20f);
-        shadow.t_max = length_m * (1.0f - 1e-4f);
+        shadow.t_max = length_m * kBeforeLight;
     }
-    const float visible = options_.shadows ? transmitted(shadow) : 1.0f;
+    const float visible = options_.shadows && light.casts_shadow ? transmitted(shadow) : 1.0f;
     if (visible <= 0.0f) return;
     if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
-    walk.add(walk.throughput * both * light.light * (weight * visible), walk.bounces == 0 && !environment);
+    walk.add(walk.throughput * both * light.light * (share_of_draw / light.pdf * visible),
+             walk.bounces == 0 && !environment);
 }
 
 void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const {
@@ -209,8 +219,10 @@ void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSamp
                                        sampler.pair(walk.bounces, Slot::near_light)),
                   false);
     }
-    if (lights_->any_directional()) {
-        add_light(walk, vertex, lights_->sample_directional(vertex.point.normal, choice.y), false);
+    if (!lights_->distant().empty()) {
+        const glm::vec2 u =
+            lights_->distant().any_suns() ? sampler.pair(walk.bounces, Slot::distant_light) : glm::vec2(0.5f);
+        add_light(walk, vertex, lights_->distant().sample(vertex.point.normal, choice.y, u), false);
     }
 }
 
@@ -222,9 +234,57 @@ void PathIntegrator::add_emission(Walk& walk, const SurfacePoint& point, const H
         walk.result.emissive += light;
         return;
     }
-    const float weight = shading::power_heuristic(
-        walk.last_pdf, lights_->pdf_triangle({walk.last_origin, walk.ray.direction}, walk.last_normal, hit));
-    walk.add(light * weight, walk.bounces == 1);
+    const float drawn = lights_->pdf_triangle({walk.last_origin, walk.ray.direction}, walk.last_normal, hit);
+    walk.add(light * weight(Draws::material, walk.last_pdf, drawn), walk.bounces == 1);
+}
+
+void PathIntegrator::add_shapes(Walk& walk, float surface_m) const {
+    if (!lights_ || lights_->shapes().empty()) return;
+    const Ray ray{walk.last_origin, walk.ray.direction};
+    lights_->shapes().each_entry(ray, [&](std::uint32_t shape, float distance_m) {
+        const scene::Light& light = lights_->shape(shape);
+        if (options_.shadows && light.casts_shadow && distance_m * kBeforeLight > surface_m) return;
+        const float window =
+            shading::window_attenuation(glm::distance(ray.origin, light.position), light.range_m);
+        if (window <= 0.0f) return;
+        const float share_of_draw =
+            weight(Draws::material, walk.last_pdf, lights_->pdf_shape(shape, ray, walk.last_normal));
+        walk.add(walk.throughput * lights_->shape_nit(shape, ray, distance_m) * (window * share_of_draw),
+                 walk.bounces == 1);
+    });
+}
+
+void PathIntegrator::add_suns(Walk& walk, bool sky) const {
+    if (!lights_) return;
+    lights_->distant().each_sun(
+        walk.ray.direction, walk.last_normal,
+        [&](const scene::Light& light, const glm::vec3& luminance_nit, float drawn) {
+            if (walk.bounces == 0) {
+                if (sky && light.visible) walk.result.luminance_nit += luminance_nit;
+                return;
+            }
+            if (!sky && options_.shadows && light.casts_shadow) return;
+            walk.add(walk.throughput * luminance_nit * weight(Draws::material, walk.last_pdf, drawn),
+                     walk.bounces == 1);
+        });
+}
+
+bool PathIntegrator::see_shape(Walk& walk, float surface_m) const {
+    if (!lights_ || lights_->shapes().empty()) return false;
+    std::uint32_t nearest = 0;
+    float nearest_m = std::numeric_limits<float>::infinity();
+    lights_->shapes().each_entry(walk.ray, [&](std::uint32_t shape, float distance_m) {
+        if (!lights_->shape(shape).visible || distance_m >= nearest_m) return;
+        nearest = shape;
+        nearest_m = distance_m;
+    });
+    if (!std::isfinite(nearest_m) || nearest_m * kBeforeLight > surface_m) return false;
+    const glm::vec3 luminance_nit = lights_->shape_nit(nearest, walk.ray, nearest_m);
+    walk.result.luminance_nit += luminance_nit;
+    walk.result.emissive += luminance_nit;
+    walk.result.distance_m = nearest_m;
+    walk.result.normal = shape_normal(lights_->shape(nearest), walk.ray, nearest_m);
+    return true;
 }
 
 void PathIntegrator::add_environment(Walk& walk) const {
@@ -234,7 +294,7 @@ void PathIntegrator::add_environment(Walk& walk) const {
         if (background_visible_) walk.result.luminance_nit += light;
         return;
     }
-    walk.add(light * shading::power_heuristic(walk.last_pdf, environment_.pdf(walk.ray.direction)), false);
+    walk.add(light * weight(Draws::material, walk.last_pdf, environment_.pdf(walk.ray.direction)), false);
 }
 
 /// Goes on in a direction drawn from the material; false when the path ends here.
@@ -277,6 +337,15 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
         Hit hit;
         const bool sees_through = walk.bounces > 0 && !options_.shadows;
         const Next next = sees_through ? Next::sky : next_surface(walk.ray, hit, sampler, walk.bounces);
+        const float surface_m = next == Next::sky       ? std::numeric_limits<float>::infinity()
+                                : next == Next::surface ? hit.t
+                                                        : 0.0f;
+        if (walk.bounces == 0) {
+            if (next != Next::lost && see_shape(walk, surface_m)) break;
+        } else {
+            add_shapes(walk, surface_m);
+        }
+        add_suns(walk, next == Next::sky);
         if (next == Next::sky) add_environment(walk);
         if (next != Next::surface) break;
         Vertex vertex;

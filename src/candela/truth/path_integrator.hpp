@@ -12,12 +12,21 @@
 
 namespace candela::truth {
 
+/// Which draws of directions count. All is what pictures are made with; one of two alone is right too but for
+/// noise, and shows that their weights are.
+enum class Draws : std::uint8_t {
+    all,
+    lights,   ///< from lights and environment
+    material  ///< from the material, and from lights that it cannot find
+};
+
 struct PathOptions {
     shading::BsdfTechniques techniques{};  ///< of the material model: the profile's
     int max_bounces = 64;                  ///< surfaces after the first that a path may meet
     bool direct_only = false;  ///< light that comes straight from a source, as area-light techniques see it
     bool shadows = true;       ///< without them: direct light as if nothing were in its way
     bool furnace = false;      ///< a uniform environment of luminance 1 is the only light
+    Draws draws = Draws::all;
 };
 
 /// What one path found, in cd/m^2 but where said otherwise. The four lobes are as the real-time frame has
@@ -39,7 +48,7 @@ struct PathResult {
 };
 
 /// Unidirectional path tracing with multiple importance sampling (Veach 1997, chapters 8 to 10): at
-/// each surface one draw each from the environment, the near lights, the directional lights and the material.
+/// each surface one draw each from the environment, the near lights, the distant lights and the material.
 /// May be used from several threads at once; the scene must outlive it.
 class PathIntegrator {
   public:
@@ -61,6 +70,13 @@ class PathIntegrator {
     void shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse, glm::vec3& specular) const;
     void add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const;
     void add_light(Walk& walk, const Vertex& vertex, const LightSample& light, bool environment) const;
+    /// Of a draw of density `own` of the lights or the material, where the other's would be `other`.
+    [[nodiscard]] float weight(Draws by, float own, float other) const;
+    /// What lights of a size add to a ray that goes on to surface_m; sky: to no surface at all.
+    void add_shapes(Walk& walk, float surface_m) const;
+    void add_suns(Walk& walk, bool sky) const;
+    /// Whether the camera's ray ends at a light's shape before surface_m.
+    [[nodiscard]] bool see_shape(Walk& walk, float surface_m) const;
     void add_emission(Walk& walk, const SurfacePoint& point, const Hit& hit) const;
     void add_environment(Walk& walk) const;
     [[nodiscard]] bool bounce(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const;

@@ -17,7 +17,7 @@ class PathSampler {
         environment,
         bsdf,
         bsdf_choice,
-        opacity,
+        distant_light,
         count
     };
 

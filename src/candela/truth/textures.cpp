@@ -56,12 +56,33 @@ glm::vec4 Textures::read(const scene::TextureRef& ref, const glm::vec2& uv, Tran
     if (texture.image >= scene_->images.size()) return glm::vec4(1.0f);
     const scene::Image& image = scene_->images[texture.image];
     if (image.rgba.empty()) return glm::vec4(1.0f);
+    return filtered(image, texture.sampler, transformed_uv(ref, uv), transfer);
+}
+
+glm::vec3 Textures::read_srgb_image(std::uint32_t image, const glm::vec2& uv) const {
+    if (image >= scene_->images.size() || scene_->images[image].rgba.empty()) return glm::vec3(1.0f);
+    scene::Sampler edge;
+    edge.wrap_s = edge.wrap_t = scene::Wrap::clamp_to_edge;
+    return glm::vec3(filtered(scene_->images[image], edge, uv, Transfer::srgb));
+}
+
+glm::vec3 Textures::mean_of_srgb_image(std::uint32_t image) const {
+    if (image >= scene_->images.size() || scene_->images[image].rgba.empty()) return glm::vec3(1.0f);
+    const scene::Image& picture = scene_->images[image];
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        for (int c = 0; c < 3; ++c)
+            sum[c] += static_cast<double>(linear_from_srgb_[picture.rgba[i + static_cast<std::size_t>(c)]]);
+    }
+    return glm::vec3(sum / static_cast<double>(picture.rgba.size() / 4));
+}
+
+glm::vec4 Textures::filtered(const scene::Image& image, const scene::Sampler& s, const glm::vec2& at,
+                             Transfer transfer) const {
     const int width = static_cast<int>(image.width);
     const int height = static_cast<int>(image.height);
-    const glm::vec2 at = transformed_uv(ref, uv);
     const float x = tame(at.x) * static_cast<float>(width);
     const float y = tame(at.y) * static_cast<float>(height);
-    const scene::Sampler& s = texture.sampler;
     if (s.magnify == scene::Filter::nearest) {
         return texel(image, wrapped(static_cast<int>(std::floor(x)), width, s.wrap_s),
                      wrapped(static_cast<int>(std::floor(y)), height, s.wrap_t), transfer);

@@ -20,8 +20,14 @@ class Textures {
 
     /// uv before the texture transform of `ref`; white where the texture has no picture.
     [[nodiscard]] glm::vec4 read(const scene::TextureRef& ref, const glm::vec2& uv, Transfer transfer) const;
+    /// The same of a picture by itself, clamped to its edge. image: index into Scene::images.
+    [[nodiscard]] glm::vec3 read_srgb_image(std::uint32_t image, const glm::vec2& uv) const;
+    /// Linear mean of a picture; white where there is none.
+    [[nodiscard]] glm::vec3 mean_of_srgb_image(std::uint32_t image) const;
 
   private:
+    [[nodiscard]] glm::vec4 filtered(const scene::Image& image, const scene::Sampler& sampler,
+                                     const glm::vec2& uv, Transfer transfer) const;
     [[nodiscard]] glm::vec4 texel(const scene::Image& image, int x, int y, Transfer transfer) const;
 
     const scene::Scene* scene_;
