@@ -281,7 +281,7 @@ Job prepare(const JobOptions& options) {
 
 void warn_of_dark_emission(Job& job) {
     if (job.scene.environment || !job.scene.lights.empty() || !has_emissive_surface(job.scene)) return;
-    job.diagnostics.warn("emissive surfaces show, but light nothing in this mode (--mode path)");
+    job.diagnostics.warn("emissive surfaces show, but light nothing in this mode (--mode path or integrate)");
 }
 
 gpu::DeviceOptions device_options(const JobOptions& options) {

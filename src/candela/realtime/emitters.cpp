@@ -49,7 +49,7 @@ float cos_of_widest_ray(const scene::Light& light) {
     return 1.0f / std::sqrt(1.0f + h * h + v * v);
 }
 
-Bounds bounds_of(const scene::Light& light) {
+Bounds bounds_of(const scene::Light& light, const scene::Scene& scene) {
     const float strength = light.intensity * shading::luminance(light.color);
     const float r = light.radius_m;
     Bounds b;
@@ -98,6 +98,11 @@ Bounds bounds_of(const scene::Light& light) {
         default:
             break;
     }
+    if (without_extent(light.type) && light.profile < scene.profiles.size()) {
+        float most = 0.0f;
+        for (const float cd : scene.profiles[light.profile].candela) most = std::max(most, cd);
+        b.power *= most;
+    }
     return b;
 }
 
@@ -112,7 +117,7 @@ void collect_lights(const scene::Scene& scene, Emitters& out, std::vector<Candid
         if (always_asked(light.type) || (few && without_extent(light.type))) {
             out.asked.push_back({i, shadows, 0, 0});
         } else {
-            candidates.push_back({bounds_of(light), {0, i, shadows, 0}});
+            candidates.push_back({bounds_of(light, scene), {0, i, shadows, 0}});
         }
     }
 }

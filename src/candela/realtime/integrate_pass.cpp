@@ -9,7 +9,7 @@
 
 #include "candela/bake/environment_distribution.hpp"
 #include "candela/realtime/emitters.hpp"
-#include "candela/realtime/light_block.hpp"
+#include "candela/realtime/light_records.hpp"
 #include "candela/scene/error.hpp"
 
 namespace candela::realtime {
@@ -88,8 +88,7 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     const Emitters emitters = collect_emitters(scene, alphas, textures);
     RayScene rays;
     if (options->ray_shadows) rays = build_ray_scene(scene, alphas);
-    std::vector<LightBlock> lights;
-    for (const scene::Light& light : scene.lights) lights.push_back(light_block(light));
+    const LightRecords lights = light_records(scene, textures);
 
     const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
     std::array<std::uint32_t, 16> header{};
@@ -106,7 +105,9 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     header[10] = tables.append_quads(rays.nodes);
     header[11] = count(rays.nodes.size() / 2);
     header[12] = tables.append_quads(rays.triangles);
-    header[13] = tables.append_quads(lights);
+    header[13] = tables.append_quads(lights.lights);
+    header[14] = tables.append_quads(lights.profiles);
+    header[15] = tables.append(lights.profile_cd);
     tables.write_header(header);
     check_fits(device, tables.words().size() * sizeof(std::uint32_t), options->ray_shadows);
 

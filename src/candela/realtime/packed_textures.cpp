@@ -17,22 +17,30 @@ std::uint32_t PackedTextures::first_texel(std::uint32_t image) {
     return entry->second;
 }
 
+std::uint32_t PackedTextures::add_record(std::uint32_t image, const scene::Sampler& sampler) {
+    const scene::Image& picture = scene_->images[image];
+    const std::uint32_t nearest = sampler.magnify == scene::Filter::nearest ? 1u : 0u;
+    const std::uint32_t how = static_cast<std::uint32_t>(sampler.wrap_s) |
+                              static_cast<std::uint32_t>(sampler.wrap_t) << 2u | nearest << 4u;
+    records_.push_back({first_texel(image), picture.width, picture.height, how});
+    return static_cast<std::uint32_t>(records_.size() - 1);
+}
+
+std::uint32_t PackedTextures::record_of_image(std::uint32_t image) {
+    if (image >= scene_->images.size() || scene_->images[image].rgba.empty()) return kNoRecord;
+    scene::Sampler edge;
+    edge.wrap_s = edge.wrap_t = scene::Wrap::clamp_to_edge;
+    return add_record(image, edge);
+}
+
 std::uint32_t PackedTextures::record_of(const scene::TextureRef& ref) {
     if (ref.texture >= scene_->textures.size()) return kNoRecord;
     const scene::Texture& texture = scene_->textures[ref.texture];
     if (texture.image >= scene_->images.size() || scene_->images[texture.image].rgba.empty())
         return kNoRecord;
-    const auto [entry, fresh] =
-        record_of_texture_.try_emplace(ref.texture, static_cast<std::uint32_t>(records_.size()));
-    if (fresh) {
-        const scene::Image& image = scene_->images[texture.image];
-        const scene::Sampler& s = texture.sampler;
-        const std::uint32_t nearest = s.magnify == scene::Filter::nearest ? 1u : 0u;
-        const std::uint32_t how =
-            static_cast<std::uint32_t>(s.wrap_s) | static_cast<std::uint32_t>(s.wrap_t) << 2u | nearest << 4u;
-        records_.push_back({first_texel(texture.image), image.width, image.height, how});
-    }
-    return entry->second;
+    const auto known = record_of_texture_.find(ref.texture);
+    if (known != record_of_texture_.end()) return known->second;
+    return record_of_texture_[ref.texture] = add_record(texture.image, texture.sampler);
 }
 
 glm::vec2 transformed_uv(const scene::TextureRef& ref, const glm::vec2& uv) {

@@ -16,6 +16,8 @@ class PackedTextures {
 
     /// Number of the record of a texture; kNoRecord where there is no picture, which reads as white.
     [[nodiscard]] std::uint32_t record_of(const scene::TextureRef& ref);
+    /// The same of a picture without a sampler: filtered, clamped to its edges.
+    [[nodiscard]] std::uint32_t record_of_image(std::uint32_t image);
 
     /// One a texture: first word of its texels, width, height, how it wraps and filters
     /// (shaders/tables.glsl).
@@ -25,6 +27,7 @@ class PackedTextures {
 
   private:
     std::uint32_t first_texel(std::uint32_t image);
+    std::uint32_t add_record(std::uint32_t image, const scene::Sampler& sampler);
 
     const scene::Scene* scene_;
     std::vector<Quad> records_;

@@ -6,6 +6,7 @@
 #include "lights.glsl"
 #include "emitter_tree.glsl"
 #include "ray_scene.glsl"
+#include "lights/photometric.glsl"
 #include "lights/sampling.glsl"
 #include "lights/disk_sampling.glsl"
 #include "lights/rectangle_sampling.glsl"
@@ -25,7 +26,8 @@ struct Arrival {
 
 const Arrival kNothing = Arrival(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, false);
 
-// The lights as five quads each, in the order of the scene.
+// The lights as five quads each, in the order of the scene. links.w is their own here: the record of a profile or of an
+// image, or -1.
 Light light_at(uint index) {
     uint first = light_first() + 5u * index;
     return Light(uintBitsToFloat(table_quads[first]), uintBitsToFloat(table_quads[first + 1u]),
@@ -41,8 +43,30 @@ float shining_side(Light light, vec3 to_center_m) {
     return behind && (light.links.x & kLightTwoSided) != 0 ? -1.0 : 1.0;
 }
 
-vec3 light_luminance(Light light, vec3 to_center_m) {
+vec3 window_times_color(Light light, vec3 to_center_m) {
     return light.color_type.rgb * window_attenuation(length(to_center_m), light.position_range.w);
+}
+
+// Luminance of a shape where a ray enters it.
+vec3 light_luminance(Light light, vec3 to_center_m, vec3 l, float distance_m) {
+    vec3 nit = window_times_color(light, to_center_m);
+    if (type_of(light) != kLightRectangle || light.links.w < 0) return nit;
+    vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
+    vec2 uv = rectangle_image_uv(l * distance_m - to_center_m, light.right_b.xyz, up, light.direction_a.w, light.right_b.w);
+    return nit * read_packed(uint(light.links.w), uv, true).rgb;
+}
+
+// What a profile makes of an intensity; travels: unit, from the light.
+float profile_factor(Light light, vec3 travels) {
+    if (light.links.w < 0) return 1.0;
+    uvec4 profile = table_quads[profile_first() + uint(light.links.w)];
+    vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
+    vec3 local = vec3(dot(travels, light.right_b.xyz), dot(travels, up), -dot(travels, light.direction_a.xyz));
+    PhotometricTaps taps = photometric_taps(local, int(profile.y), int(profile.z));
+    uint first = profile_first_float() + profile.x;
+    vec4 cd = vec4(table_floats[first + uint(taps.index.x)], table_floats[first + uint(taps.index.y)],
+                   table_floats[first + uint(taps.index.z)], table_floats[first + uint(taps.index.w)]);
+    return dot(taps.weight, cd);
 }
 
 // Distance in m at which the ray from the receiver enters a shape, or kNoEntry.
@@ -83,15 +107,15 @@ Arrival sample_line_light(Light light, float u, vec3 to_center_m) {
     LinePoint at = sample_line(u, to_center_m, light.right_b.xyz, light.direction_a.w);
     float distance_m = length(at.to_point_m);
     if (!(distance_m > 0.0)) return kNothing;
-    return Arrival(at.to_point_m / distance_m, distance_m, light_luminance(light, to_center_m) * at.per_m2, 1.0, true);
+    return Arrival(at.to_point_m / distance_m, distance_m, window_times_color(light, to_center_m) * at.per_m2, 1.0, true);
 }
 
 // Point, spot, frustum, directional: one direction there is.
 Arrival only_arrival(Light light, vec3 position) {
     vec3 l;
     vec3 lx = perpendicular_illuminance(light, position, l);
-    float distance_m = type_of(light) == kLightDirectional ? kNoEnd : distance(light.position_range.xyz, position);
-    return Arrival(l, distance_m, lx, 1.0, true);
+    if (type_of(light) == kLightDirectional) return Arrival(l, kNoEnd, lx, 1.0, true);
+    return Arrival(l, distance(light.position_range.xyz, position), lx * profile_factor(light, -l), 1.0, true);
 }
 
 Arrival sample_light(Light light, vec2 u, vec3 position) {
@@ -100,7 +124,8 @@ Arrival sample_light(Light light, vec2 u, vec3 position) {
     if (type < kLightLine) return only_arrival(light, position);
     if (type == kLightLine) return sample_line_light(light, u.x, to_center_m);
     LightDirection s = sample_shape(light, u, to_center_m);
-    return Arrival(s.direction, s.distance_m, light_luminance(light, to_center_m), s.pdf, false);
+    return Arrival(s.direction, s.distance_m, light_luminance(light, to_center_m, s.direction, s.distance_m), s.pdf,
+                   false);
 }
 
 // The sun's angular radius in rad stands where shapes have their radius.
@@ -220,7 +245,7 @@ Arrival item_from(uvec4 item, vec3 position, vec3 l) {
     vec3 to_center_m = light.position_range.xyz - position;
     r.distance_m = enter_light(light, l, to_center_m);
     if (!(r.distance_m > 0.0)) return kNothing;
-    r.light = light_luminance(light, to_center_m);
+    r.light = light_luminance(light, to_center_m, l, r.distance_m);
     r.pdf = pdf_light(light, l, to_center_m);
     return r;
 }

@@ -26,6 +26,8 @@ uint ray_node_first() { return table_quads[2].z; }
 uint ray_node_count() { return table_quads[2].w; }  // 0: nothing casts shadows
 uint ray_triangle_first() { return table_quads[3].x; }
 uint light_first() { return table_quads[3].y; }
+uint profile_first() { return table_quads[3].z; }
+uint profile_first_float() { return table_quads[3].w; }
 
 vec3 quad_vec3(uint index) { return uintBitsToFloat(table_quads[index].xyz); }
 
