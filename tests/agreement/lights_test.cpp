@@ -71,7 +71,7 @@ Blocks integrated(const scene::Scene& s, bool rays) {
     realtime::RendererOptions o;
     o.width = kWidth;
     o.height = kHeight;
-    o.samples = 64;
+    o.samples = 32;
     o.profile = realtime::profile_by_name("best");
     o.integrate.emplace();
     o.integrate->ray_shadows = rays;
@@ -95,7 +95,7 @@ Blocks traced(const scene::Scene& s, bool rays) {
     o.path.shadows = rays;
     o.width = kWidth;
     o.height = kHeight;
-    o.samples = 512;
+    o.samples = 256;
     const auto team = truth::join_team();
     const truth::PathRender render = truth::render_path(s, viewer(), o, *team);
     return blocks([&](std::uint32_t x, std::uint32_t y) {
@@ -163,3 +163,43 @@ INSTANTIATE_TEST_SUITE_P(Each, LightAgreement,
                                          LightType::sphere, LightType::disk, LightType::rectangle,
                                          LightType::tube),
                          [](const auto& instance) { return std::string(scene::name_of(instance.param)); });
+
+namespace {
+
+/// 8 x 8 squares, of alpha 255 and 0 in turn, bright and dim.
+scene::Image chequers() {
+    scene::Image image{"chequers", 8, 8, {}};
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        const bool on = (i % 8 + i / 8) % 2 == 0;
+        for (int c = 0; c < 3; ++c) image.rgba.push_back(on ? 255 : 60);
+        image.rgba.push_back(on ? 255 : 0);
+    }
+    return image;
+}
+
+}  // namespace
+
+// A lamp with a picture, a mask and a pane in the light of the sky: whatever shadows can be made of.
+TEST(LightAgreement, OfEmissiveMeshesMasksAndPanes) {
+    scene::Scene s = balls();
+    s.images.push_back(chequers());
+    s.textures.push_back({0, {}});
+    scene::Material lamp = grey(0.0f);
+    lamp.emissive_nit = {3000.0f, 2000.0f, 1000.0f};
+    lamp.emissive_texture.texture = 0;
+    const glm::mat4 hung = glm::translate(glm::mat4(1.0f), {1.2f, -0.6f, 2.0f});
+    place(s, square(0.4f), lamp, glm::rotate(hung, 2.7f, glm::vec3(0.3f, 1.0f, 0.0f)));
+    scene::Material leaves = grey(0.3f);
+    leaves.double_sided = true;
+    leaves.alpha_mode = scene::AlphaMode::mask;
+    leaves.base_color_texture.texture = 0;
+    s.materials[3] = leaves;
+    scene::Material pane = grey(0.2f);
+    pane.double_sided = true;
+    pane.alpha_mode = scene::AlphaMode::blend;
+    pane.base_color.a = 0.6f;
+    place(s, square(0.4f), pane, glm::translate(glm::mat4(1.0f), {-0.7f, 0.1f, 1.4f}));
+    s.environment = constant(20.0f);
+    s.environment->visible = false;
+    expect_agreement(s, "emissive, mask, pane, sky");
+}
