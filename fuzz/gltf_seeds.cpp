@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gltf/gltf_lights.hpp"
 #include "gltf/gltf_samples.hpp"
 
 using namespace candela::test;
@@ -30,14 +31,17 @@ int main(int argc, char** argv) {
     lit.doc["nodes"][0]["camera"] = 0;
     GltfBuilder webp = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
     add_texture(webp, webp_of_four_texels());
-    const std::pair<const char*, GltfBuilder> seeds[] = {{"triangle", triangle()},
-                                                         {"material", everything_in_a_material()},
-                                                         {"skin", skinned()},
-                                                         {"moving", moving},
-                                                         {"lit", lit},
-                                                         {"draco", draco_strip(2)},
-                                                         {"meshopt", meshopt_triangle()},
-                                                         {"webp", webp}};
+    const std::pair<const char*, GltfBuilder> seeds[] = {
+        {"triangle", triangle()},
+        {"material", everything_in_a_material()},
+        {"skin", skinned()},
+        {"moving", moving},
+        {"lit", lit},
+        {"draco", draco_strip(2)},
+        {"meshopt", meshopt_triangle()},
+        {"webp", webp},
+        {"area", lit_by("EXT_lights_area", {{"type", "rect"}})},
+        {"profile", lit_by_profile(small_ies())}};
     for (const auto& [name, builder] : seeds) write(folder / (std::string(name) + ".glb"), builder.glb());
     write(
         folder / "text.gltf",

@@ -1,25 +1,20 @@
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
-#include "candela/io/gltf.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
-#include "shading/lights/punctual.glsl"
+#include "light_info.hpp"
 
 namespace candela::app {
 namespace {
 
 using nlohmann::json;
 
-struct InfoOptions {
-    std::string scene_file;
-    float light_scale = 1.0f;
-    float time_s = 0.0f;
+struct InfoOptions : SceneFileOptions {
     bool json = false;
 };
 
@@ -51,32 +46,9 @@ json devices_json() {
     return list;
 }
 
-/// Illuminance on a plane facing the light at 1 m (for a directional light: anywhere).
-float illuminance_at_1m_lx(const scene::Light& light) {
-    const float strength = light.intensity * shading::luminance(light.color);
-    if (light.type == scene::LightType::directional) return strength;
-    return strength * shading::distance_attenuation(glm::vec3(0.0f, 0.0f, 1.0f), light.range_m);
-}
-
-json light_json(const scene::Light& light) {
-    json out{{"name", light.name},
-             {"type", scene::name_of(light.type)},
-             {"color", {light.color.x, light.color.y, light.color.z}},
-             {"illuminance_at_1m_lx", illuminance_at_1m_lx(light)}};
-    out[light.type == scene::LightType::directional ? "illuminance_lx" : "intensity_cd"] = light.intensity;
-    if (light.type != scene::LightType::directional && !std::isinf(light.range_m))
-        out["range_m"] = light.range_m;
-    if (light.type == scene::LightType::spot) {
-        out["inner_cone_deg"] = light.inner_cone_rad * 180.0f / shading::PI;
-        out["outer_cone_deg"] = light.outer_cone_rad * 180.0f / shading::PI;
-    }
-    return out;
-}
-
 json scene_json(const InfoOptions& options) {
     Diagnostics diagnostics;
-    const scene::Scene scene =
-        io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, diagnostics);
+    const scene::Scene scene = load_staged_scene(options, diagnostics).scene;
     json out{{"file", options.scene_file},    {"triangles", scene::triangle_count(scene)},
              {"meshes", scene.meshes.size()}, {"instances", scene.instances.size()},
              {"materials", json::array()},    {"lights", json::array()},
@@ -87,7 +59,7 @@ json scene_json(const InfoOptions& options) {
                            {bounds.max.x, bounds.max.y, bounds.max.z}};
     }
     for (const scene::Material& m : scene.materials) out["materials"].push_back(m.name);
-    for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light));
+    for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light, scene));
     for (const scene::Camera& camera : scene.cameras) out["cameras"].push_back(camera.name);
     std::size_t texture_texels = 0;
     for (const scene::Image& image : scene.images) texture_texels += std::size_t{image.width} * image.height;
@@ -105,11 +77,7 @@ void print_scene(const json& s) {
     if (s.contains("bounds_m")) std::printf("  bounds   %s m\n", s["bounds_m"].dump().c_str());
     for (const json& camera : s["cameras"]) std::printf("  camera   %s\n", camera.get<std::string>().c_str());
     for (const json& light : s["lights"]) {
-        const bool lux = light.contains("illuminance_lx");
-        std::printf("  light    %s: %s, %g %s, gives %g lx at 1 m\n",
-                    light["name"].get<std::string>().c_str(), light["type"].get<std::string>().c_str(),
-                    light[lux ? "illuminance_lx" : "intensity_cd"].get<double>(), lux ? "lx" : "cd",
-                    light["illuminance_at_1m_lx"].get<double>());
+        for (const std::string& line : light_lines(light)) std::printf("%s\n", line.c_str());
     }
     for (const json& w : s["warnings"]) {
         std::printf("  warning  %s (%zu)\n", w["text"].get<std::string>().c_str(),
@@ -145,8 +113,7 @@ void add_info(CLI::App& app, Action& action) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "What is in a scene; without one, the devices");
     command->add_option("SCENE", options->scene_file, "A .gltf or .glb file");
-    command->add_option("--light-scale", options->light_scale, "Multiplies every punctual light of the file");
-    command->add_option("--time", options->time_s, "Time of animations in s");
+    add_scene_file_options(*command, *options);
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return info(*options); }; });
 }

@@ -7,9 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
-#include "candela/io/gltf.hpp"
 #include "candela/io/image_read.hpp"
-#include "candela/io/stage.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/tone_curves.glsl"
 
@@ -34,8 +32,6 @@ void check_numbers(const JobOptions& o) {
     limit("--env-scale", o.env_scale.value_or(1.0f), 0.0f, 1e12f);
     limit("--env-lux", o.env_lux.value_or(1.0f), 1e-9f, 1e12f);
     limit("--env-rotate", o.env_rotate_deg.value_or(0.0f), -36000.0f, 36000.0f);
-    limit("--light-scale", o.light_scale, 0.0f, 1e12f);
-    limit("--time", o.time_s, -1e9f, 1e9f);
     limit("--focal-mm", o.focal_mm.value_or(50.0f), 1.0f, 5000.0f);
     limit("--exposure-compensation", o.exposure_compensation.value_or(0.0f), -30.0f, 30.0f);
     limit("--aperture", o.aperture_f.value_or(1.0f), 0.1f, 1000.0f);
@@ -144,15 +140,6 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     }
 }
 
-bool has_emissive_surface(const scene::Scene& scene) {
-    for (const scene::Instance& instance : scene.instances) {
-        for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives) {
-            if (scene.materials[p.material].emissive_nit != glm::vec3(0.0f)) return true;
-        }
-    }
-    return false;
-}
-
 glm::vec3 vector_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
@@ -219,7 +206,7 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 }  // namespace
 
 void add_scene_options(CLI::App& command, JobOptions& o) {
-    command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
+    add_scene_file_options(command, o);
     command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
     command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
@@ -229,8 +216,6 @@ void add_scene_options(CLI::App& command, JobOptions& o) {
     command.add_flag_callback(
         "--env-hidden", [&o] { o.env_visible = false; },
         "Leave the background black, with the environment's light");
-    command.add_option("--light-scale", o.light_scale, "Multiplies every punctual light of the file");
-    command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
 }
 
 void add_picture_options(CLI::App& command, JobOptions& o) {
@@ -270,18 +255,13 @@ Job prepare(const JobOptions& options) {
     parse_size(options.size, job);
     job.profile = load_profile(options.profile);
     job.tone_curve = parse_tone_curve(options.tonemap);
-    job.scene = io::load_gltf(options.scene_file, {options.time_s, options.light_scale}, job.diagnostics);
-    io::Stage stage;
-    if (!options.stage_file.empty()) stage = io::load_stage(options.stage_file);
+    StagedScene staged = load_staged_scene(options, job.diagnostics);
+    job.scene = std::move(staged.scene);
+    const io::Stage& stage = staged.stage;
     stage_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);
     return job;
-}
-
-void warn_of_dark_emission(Job& job) {
-    if (job.scene.environment || !job.scene.lights.empty() || !has_emissive_surface(job.scene)) return;
-    job.diagnostics.warn("emissive surfaces show, but light nothing in this mode (--mode path or integrate)");
 }
 
 gpu::DeviceOptions device_options(const JobOptions& options) {

@@ -11,20 +11,17 @@
 #include "candela/realtime/renderer.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
+#include "scene_files.hpp"
 
 namespace candela::app {
 
 /// What `render`, `bench` and `info` have in common: a scene on a stage, before any device is touched.
-struct JobOptions {
-    std::string scene_file;
-    std::string stage_file;
+struct JobOptions : SceneFileOptions {
     std::string environment;  ///< file, "studio", "none", or empty: what stage and scene say
     std::optional<float> env_scale;
     std::optional<float> env_rotate_deg;
     std::optional<float> env_lux;
     std::optional<bool> env_visible;
-    float light_scale = 1.0f;
-    float time_s = 0.0f;
     std::string size = "1280x720";
     std::string camera;
     std::vector<float> look_from;
@@ -62,9 +59,6 @@ struct Job {
 /// Loads and stages the scene; one that brings neither lights nor an environment gets the built-in studio, in
 /// every mode, so that their pictures can be compared. Throws Error.
 [[nodiscard]] Job prepare(const JobOptions& options);
-
-/// A warning for modes in which emissive surfaces only show, when they are all the light there is.
-void warn_of_dark_emission(Job& job);
 
 [[nodiscard]] gpu::DeviceOptions device_options(const JobOptions& options);
 

@@ -22,7 +22,11 @@ int run(int argc, char** argv) {
     candela::app::add_info(app, action);
     candela::app::add_bench(app, action);
     candela::app::add_compare(app, action);
+    candela::app::add_meter(app, action);
+    candela::app::add_bake(app, action);
+    candela::app::add_convert(app, action);
     candela::app::add_validate(app, action);
+    candela::app::add_light(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -53,11 +53,6 @@ void print_progress(const truth::PathProgress& p) {
                  p.samples, p.error, p.seconds_left.value_or(0.0));
 }
 
-shading::BsdfTechniques techniques_of(const realtime::Profile& p) {
-    return {static_cast<int>(p.diffuse), static_cast<int>(p.visibility), static_cast<int>(p.fresnel),
-            static_cast<int>(p.energy)};
-}
-
 truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
     if (!path.depth_of_field) return {};
     if (job.camera.projection != scene::Projection::perspective) {
@@ -218,6 +213,11 @@ truth::PathRender render_with(truth::Team& team, const Job& job, const truth::Pa
 
 }  // namespace
 
+shading::BsdfTechniques path_techniques(const realtime::Profile& p) {
+    return {static_cast<int>(p.diffuse), static_cast<int>(p.visibility), static_cast<int>(p.fresnel),
+            static_cast<int>(p.energy)};
+}
+
 void add_path_options(CLI::App& command, PathModeOptions& o) {
     command
         .add_option("--time-limit", o.time_limit_s, "Path: seconds after which the picture so far will do")
@@ -256,7 +256,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
                                const PictureFileOptions& files) {
     const std::unique_ptr<truth::Team> team = truth::join_team();
     truth::PathRenderOptions o;
-    o.path.techniques = techniques_of(job.profile);
+    o.path.techniques = path_techniques(job.profile);
     o.path.max_bounces = path.max_bounces.value_or(o.path.max_bounces);
     o.path.direct_only = path.direct_only;
     o.path.shadows = path.shadows != "none";

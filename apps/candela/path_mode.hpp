@@ -6,6 +6,7 @@
 #include "candela/realtime/renderer.hpp"
 #include "job.hpp"
 #include "picture_files.hpp"
+#include "shading/bsdf.glsl"
 
 namespace candela::app {
 
@@ -25,6 +26,9 @@ struct PathModeOptions {
 };
 
 void add_path_options(CLI::App& command, PathModeOptions& options);
+
+/// The material model of a profile, for the path tracer.
+[[nodiscard]] shading::BsdfTechniques path_techniques(const realtime::Profile& profile);
 
 /// True when an option is given that only the path tracer knows.
 [[nodiscard]] bool any_path_option(const PathModeOptions& options);

@@ -96,7 +96,6 @@ int render(RenderOptions options) {
     check_outputs(options.files);
     check_mode(options);
     Job job = prepare(options.job);
-    if (options.mode == "realtime") warn_of_dark_emission(job);
     Seconds seconds{{"load", seconds_since(start)}};
 
     PictureInfo info;

@@ -11,6 +11,8 @@ const std::vector<Demo>& demos() {
          write_still_life},
         {"lamps", "lamps of known candela over a floor, for meters", write_lamps},
         {"cornell_room", "a room of 5.5 m with one luminous panel", write_room},
+        {"light_shelf", "a light of every type, each in a cell of its own, in the unit it is sold in",
+         write_light_shelf},
     };
     return all;
 }

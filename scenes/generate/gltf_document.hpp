@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "candela/io/gltf_file.hpp"
 #include "shapes.hpp"
 
 namespace candela::scenes {
@@ -57,13 +57,7 @@ class GltfDocument {
     void save(const std::filesystem::path& file) const;
 
   private:
-    int add_accessor(const void* data, std::size_t bytes, int component_type, const char* type,
-                     std::size_t count, int target);
-    void declare(const std::string& extension);
-    void add_node(nlohmann::json node);
-
-    nlohmann::json document_;
-    std::vector<std::byte> binary_;
+    io::GltfFile file_;
     std::vector<std::size_t> mesh_triangles_;
     std::size_t triangles_ = 0;
 };

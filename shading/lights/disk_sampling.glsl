@@ -14,7 +14,7 @@
 CANDELA_SHADING_BEGIN
 
 // The cone through a disk's rim.
-struct EllipticCone {
+struct DiskCone {
     vec3 axis;   // unit
     vec3 major;  // unit, in the plane of symmetry of point and disk
     vec3 minor;  // unit
@@ -25,8 +25,8 @@ struct EllipticCone {
 
 // The plane of symmetry holds the disk's normal and the way to its centre. The generators in it meet the rim at its
 // nearest and farthest points, and the axis halves the angle between them.
-FN EllipticCone disk_cone(vec3 to_center_m, vec3 shines, float radius_m) {
-    EllipticCone c;
+FN DiskCone disk_cone(vec3 to_center_m, vec3 shines, float radius_m) {
+    DiskCone c;
     float height = -dot(to_center_m, shines);
     vec3 in_plane = to_center_m + height * shines;
     float in_plane2 = dot(in_plane, in_plane);
@@ -63,7 +63,7 @@ FN float one_minus_cos_of_tangent(float tangent2) {
 }
 
 // Density in 1/sr at the azimuth of squared cosine cos2 from the major axis.
-FN float elliptic_cone_pdf(float a, float b, float cos2) {
+FN float disk_cone_pdf(float a, float b, float cos2) {
     float sin2 = 1.0f - cos2;
     float a2 = a * a;
     float b2 = b * b;
@@ -75,18 +75,18 @@ FN float elliptic_cone_pdf(float a, float b, float cos2) {
 }
 
 FN float pdf_disk(vec3 direction, vec3 to_center_m, vec3 shines, float radius_m) {
-    EllipticCone c = disk_cone(to_center_m, shines, radius_m);
+    DiskCone c = disk_cone(to_center_m, shines, radius_m);
     if (!c.seen) return 0.0f;
     float x = dot(direction, c.major);
     float y = dot(direction, c.minor);
     float across2 = x * x + y * y;
-    return elliptic_cone_pdf(c.a, c.b, across2 > 0.0f ? x * x / across2 : 1.0f);
+    return disk_cone_pdf(c.a, c.b, across2 > 0.0f ? x * x / across2 : 1.0f);
 }
 
 // shines: unit, the way the light travels along its axis; one-sided.
 FN LightDirection sample_disk(vec2 u, vec3 to_center_m, vec3 shines, float radius_m) {
     LightDirection s = no_light_direction();
-    EllipticCone c = disk_cone(to_center_m, shines, radius_m);
+    DiskCone c = disk_cone(to_center_m, shines, radius_m);
     if (!c.seen) return s;
     float phi = TWO_PI * u.y;
     // p cos and q sin of the circle's angle are along the azimuth that is drawn.
@@ -99,7 +99,7 @@ FN LightDirection sample_disk(vec2 u, vec3 to_center_m, vec3 shines, float radiu
     float sine = sqrt(max(v * (2.0f - v), 0.0f)) * to_unit;
     s.direction = normalize(x * sine * c.major + y * sine * c.minor + (1.0f - v) * c.axis);
     s.distance_m = enter_plane(s.direction, to_center_m, shines);
-    if (s.distance_m > 0.0f) s.pdf = elliptic_cone_pdf(c.a, c.b, cos2);
+    if (s.distance_m > 0.0f) s.pdf = disk_cone_pdf(c.a, c.b, cos2);
     return s;
 }
 

@@ -39,10 +39,11 @@ FN vec3 photometric_direction_type_b(float horizontal_rad, float vertical_rad) {
                 -cos(horizontal_rad) * cos(vertical_rad));
 }
 
-// (horizontal in [-pi/2, pi/2], vertical in [-pi, pi]) in rad of a direction: the inverse of the above.
+// (horizontal in [-pi/2, pi/2], vertical in [-pi, pi]) in rad of a direction: the inverse of the above. Closer to the
+// axis than rounding can tell, the plane is the first.
 FN vec2 photometric_angles_type_b(vec3 direction) {
     float around = sqrt(direction.x * direction.x + direction.z * direction.z);
-    float vertical = around > 0.0f ? atan(direction.x, -direction.z) : 0.0f;
+    float vertical = around > 1.0e-6f * abs(direction.y) ? atan(direction.x, -direction.z) : 0.0f;
     return vec2(atan(-direction.y, around), vertical);
 }
 
@@ -57,7 +58,7 @@ FN vec3 photometric_direction_type_a(float horizontal_rad, float vertical_rad) {
 // (horizontal in [-pi, pi], vertical in [-pi/2, pi/2]) in rad of a direction: the inverse of the above.
 FN vec2 photometric_angles_type_a(vec3 direction) {
     float around = sqrt(direction.y * direction.y + direction.z * direction.z);
-    float horizontal = around > 0.0f ? atan(-direction.y, -direction.z) : 0.0f;
+    float horizontal = around > 1.0e-6f * abs(direction.x) ? atan(-direction.y, -direction.z) : 0.0f;
     return vec2(horizontal, atan(direction.x, around));
 }
 

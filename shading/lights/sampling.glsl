@@ -10,6 +10,7 @@
 #include "../language.glsl"
 #include "../photometry.glsl"
 #include "intersect.glsl"
+#include "units.glsl"
 
 CANDELA_SHADING_BEGIN
 
@@ -87,14 +88,13 @@ FN bool meets_sun(vec3 direction, vec3 to_sun, float angular_radius_rad) {
 FN float limb_darkening(float mu) {
     return (0.30f + mu * (0.93f - 0.23f * mu)) / 0.805f;
 }
-// Luminance per lx at normal incidence (1/sr) towards a direction that meets the disc. A disc of one luminance L gives
-// pi sin^2(radius) L. With limb darkening the distance from the centre over the disc's radius is the ratio of the sines.
+// Luminance per lx at normal incidence (1/sr) towards a direction that meets the disc. With limb darkening the distance
+// from the centre over the disc's radius is the ratio of the sines.
 FN float sun_nit_from_lx(vec3 direction, vec3 to_sun, float angular_radius_rad, bool darkened_limb) {
-    float radius2 = square(sin(angular_radius_rad));
-    float even = 1.0f / (PI * radius2);
+    float even = sun_nit_from_lx(1.0f, 2.0f * angular_radius_rad);
     if (!darkened_limb) return even;
     vec3 off = cross(direction, to_sun);
-    return even * limb_darkening(sqrt(max(1.0f - dot(off, off) / radius2, 0.0f)));
+    return even * limb_darkening(sqrt(max(1.0f - dot(off, off) / square(sin(angular_radius_rad)), 0.0f)));
 }
 
 // A point of a line light: a diffuse cylinder too thin to have a luminance, so that each part of its length gives

@@ -6,12 +6,17 @@
 
 CANDELA_SHADING_BEGIN
 
-// Solid angle in sr, in [0, 2 pi], of the triangle of unit directions a, b, c: Van Oosterom & Strackee 1983, equation 8.
-// The sign that tells the winding is dropped.
-FN float triangle_solid_angle(vec3 a, vec3 b, vec3 c) {
-    float volume = abs(dot(a, cross(b, c)));
+// Solid angle in sr, in [-2 pi, 2 pi], of the triangle of unit directions a, b, c; positive when they turn counterclockwise
+// as seen from within: Van Oosterom & Strackee 1983, equation 8.
+FN float triangle_signed_solid_angle(vec3 a, vec3 b, vec3 c) {
+    float volume = dot(a, cross(b, c));
     float sum = 1.0f + dot(a, b) + dot(b, c) + dot(c, a);
     return 2.0f * atan(volume, sum);
+}
+
+// The same in [0, 2 pi], whatever the winding.
+FN float triangle_solid_angle(vec3 a, vec3 b, vec3 c) {
+    return abs(triangle_signed_solid_angle(a, b, c));
 }
 
 // Unit direction from `from` towards `to` that is perpendicular to unit `from`.

@@ -47,6 +47,30 @@ FN float spot_lm_from_cd_smooth(float intensity_cd, float inner_cone_rad, float 
     return intensity_cd * (inner_sr + (cone_solid_angle(outer_cone_rad) - inner_sr) / 3.0f);
 }
 
+// A line light, a diffuse cylinder too thin to have a width: intensity falls from what it is perpendicular to the axis,
+// intensity_cd, with the sine of the angle to the axis; over the sphere that is pi^2. Own derivation; Frostbite has none.
+FN float line_cd_from_lm(float power_lm) {
+    return power_lm * INV_PI * INV_PI;
+}
+FN float line_lm_from_cd(float intensity_cd) {
+    return PI * PI * intensity_cd;
+}
+
+// The sun as a disc of an angular diameter: luminance from the illuminance at normal incidence. Frostbite section 4.6
+// divides by the solid angle; a disc's projected solid angle pi sin^2 of the half angle, which is exact, is 5e-6 less.
+FN float sun_solid_angle(float angular_diameter_rad) {
+    return cone_solid_angle(0.5f * angular_diameter_rad);
+}
+FN float sun_projected_solid_angle(float angular_diameter_rad) {
+    return PI * square(sin(0.5f * angular_diameter_rad));
+}
+FN float sun_nit_from_lx(float illuminance_lx, float angular_diameter_rad) {
+    return illuminance_lx / sun_projected_solid_angle(angular_diameter_rad);
+}
+FN float sun_lx_from_nit(float luminance_nit, float angular_diameter_rad) {
+    return luminance_nit * sun_projected_solid_angle(angular_diameter_rad);
+}
+
 // Solid angle in sr of a rectangular pyramid with full opening angles angle_a_rad and angle_b_rad, each in
 // (0, pi].
 // The arc sine of Table 9 is taken as an arc tangent, for drivers whose asin is good to 1e-3 only (Mesa's).
@@ -102,6 +126,12 @@ FN float rectangle_nit_from_lm(float power_lm, float width_m, float height_m) {
 }
 FN float rectangle_lm_from_nit(float luminance_nit, float width_m, float height_m) {
     return lm_from_nit_area(luminance_nit, rectangle_area(width_m, height_m));
+}
+
+// What a shape of uniform luminance shows of itself from afar, in m^2: times the luminance, its intensity in cd.
+// Sphere and disk (along its axis): disk_area(); rectangle: rectangle_area(). A tube, across its axis:
+FN float tube_projected_area(float radius_m, float width_m) {
+    return 2.0f * radius_m * width_m + PI * square(radius_m);
 }
 
 // Illuminance in lx on a surface that faces the light, distance_m from its centre (outside of it): the

@@ -13,8 +13,8 @@
 /// What every test of malformed input needs.
 namespace candela::test {
 
-/// Runs `candela info FILE` with 2 GiB of address space; a run of more than 5 s is killed.
-inline Outcome info_within_limits(const std::string& file) {
+/// Runs `candela SUBCOMMAND FILE` with 2 GiB of address space; a run of more than 5 s is killed.
+inline Outcome within_limits(const char* subcommand, const std::string& file) {
     const TemporaryFolder streams;
     const std::string out = streams / "out", err = streams / "err";
     const pid_t child = fork();
@@ -23,12 +23,16 @@ inline Outcome info_within_limits(const std::string& file) {
         setrlimit(RLIMIT_AS, &memory);
         if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) _exit(126);
         alarm(5);  // survives exec; its signal ends the program
-        execl(CANDELA_BINARY, CANDELA_BINARY, "info", file.c_str(), static_cast<char*>(nullptr));
+        execl(CANDELA_BINARY, CANDELA_BINARY, subcommand, file.c_str(), static_cast<char*>(nullptr));
         _exit(127);
     }
     int status = 0;
     waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out), slurp(err)};
+}
+
+inline Outcome info_within_limits(const std::string& file) {
+    return within_limits("info", file);
 }
 
 inline void write(const std::filesystem::path& file, const std::string& bytes) {

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "candela/io/photometric.hpp"
-
 /// Photometric files written byte by byte, from a distribution or from numbers.
 namespace candela::test {
 
@@ -136,17 +134,5 @@ struct LdtFile {
         return out;
     }
 };
-
-inline scene::PhotometricProfile read(const std::string& bytes, Diagnostics& diagnostics,
-                                      const io::PhotometricOptions& options = {}) {
-    return io::load_photometric_from_memory(std::as_bytes(std::span(bytes)), "test", {}, diagnostics,
-                                            options);
-}
-inline scene::PhotometricProfile read(const std::string& bytes) {
-    Diagnostics diagnostics;
-    scene::PhotometricProfile out = read(bytes, diagnostics);
-    for (const auto& warning : diagnostics.warnings()) ADD_FAILURE() << warning.text;
-    return out;
-}
 
 }  // namespace candela::test

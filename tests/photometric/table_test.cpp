@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "photometric_files.hpp"
+#include "read_back.hpp"
 #include "shading/lights/photometric.glsl"
 
 using namespace candela;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "photometric_files.hpp"
+#include "read_back.hpp"
 #include "shading/lights/photometric.glsl"
 
 using namespace candela;
@@ -130,7 +130,7 @@ TEST(PhotometricWeb, EverySymmetryOfIesIsItsFullExpansion) {
 TEST(PhotometricWeb, ASymmetryWithoutC0HasItFromItsNeighbours) {
     IesFile file;
     file.horizontal = {90.0, 150.0, 210.0, 270.0};
-    file.intensity = [](double c, double) { return c; };
+    file.intensity = [](double c, double gamma) { return gamma == 90.0 ? c : 180.0; };
     const auto p = read(file.bytes());
     EXPECT_NEAR(scene::intensity_cd(p, 30.0, 90.0), 150.0, 1e-6) << "the mirror of 150 about C90 is 30";
     EXPECT_NEAR(scene::intensity_cd(p, 330.0, 90.0), 210.0, 1e-6);
@@ -141,9 +141,11 @@ TEST(PhotometricWeb, ASymmetryWithoutC0HasItFromItsNeighbours) {
 TEST(PhotometricWeb, EverySymmetryOfEulumdatIsItsFullExpansion) {
     const Distribution of[] = {
         lopsided, [](double, double gamma) { return 100.0 + gamma; },
-        [](double c, double gamma) { return 300.0 + gamma * std::cos(c * kDegree); },
-        [](double c, double gamma) { return 300.0 + gamma * std::sin(c * kDegree); },
-        [](double c, double gamma) { return 300.0 + gamma * std::cos(2.0 * c * kDegree); }};
+        [](double c, double gamma) { return 300.0 + gamma * (180.0 - gamma) / 50.0 * std::cos(c * kDegree); },
+        [](double c, double gamma) { return 300.0 + gamma * (180.0 - gamma) / 50.0 * std::sin(c * kDegree); },
+        [](double c, double gamma) {
+            return 300.0 + gamma * (180.0 - gamma) / 50.0 * std::cos(2.0 * c * kDegree);
+        }};
     for (int symmetry = 0; symmetry <= 4; ++symmetry) {
         LdtFile file;
         file.symmetry = symmetry;
@@ -157,6 +159,17 @@ TEST(PhotometricWeb, EverySymmetryOfEulumdatIsItsFullExpansion) {
                     << "symmetry " << symmetry << " C" << c << " gamma " << gamma;
         }
     }
+}
+
+TEST(PhotometricWeb, HalfPlanesThatDisagreeAtAPoleAreSaid) {
+    IesFile file;
+    file.horizontal = {0.0, 90.0, 180.0};
+    file.intensity = [](double c, double gamma) { return gamma == 0.0 ? 100.0 + c : 100.0; };
+    Diagnostics diagnostics;
+    const auto p = read(file.bytes(), diagnostics);
+    ASSERT_EQ(diagnostics.warnings().size(), 1u);
+    EXPECT_NE(diagnostics.warnings().front().text.find("disagree at gamma 0, 100 to 280"), std::string::npos);
+    EXPECT_EQ(scene::intensity_cd(p, glm::vec3(0.0f, 0.0f, -1.0f)), 100.0);
 }
 
 TEST(PhotometricWeb, SpreadHoldsBothLobesOfABatwing) {

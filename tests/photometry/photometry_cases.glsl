@@ -6,6 +6,7 @@
 #include "../../shading/color_temperature.glsl"
 #include "../../shading/environment.glsl"
 #include "../../shading/exposure.glsl"
+#include "../../shading/lights/photometric.glsl"
 #include "../../shading/lights/punctual.glsl"
 #include "../../shading/lights/units.glsl"
 #include "../../shading/photometry.glsl"
@@ -108,6 +109,31 @@ FN vec4 case_no_range(NUMBERS) {
     return vec4(window_attenuation(1000.0f * u[1], range),
                 distance_attenuation(vec3(1.0f, u[2], u[3]), range), 0.0f, 0.0f);
 }
+// A smooth web in place of the table, so that which cell a direction on an edge falls into does not matter.
+FN float case_web_node(int index, int width, int height) {
+    float c = TWO_PI * float(index % width) / float(width);
+    float gamma = PI * float(index / width) / float(height - 1);
+    return 2.0f + cos(gamma) + sin(gamma) * cos(c);
+}
+FN float case_web(vec3 direction, int width, int height) {
+    PhotometricTaps taps = photometric_taps(direction, width, height);
+    return taps.weight.x * case_web_node(taps.index.x, width, height) +
+           taps.weight.y * case_web_node(taps.index.y, width, height) +
+           taps.weight.z * case_web_node(taps.index.z, width, height) +
+           taps.weight.w * case_web_node(taps.index.w, width, height);
+}
+FN vec4 case_photometric_taps(NUMBERS) {
+    vec3 direction = 3.0f * case_sphere_direction(u[0], u[1]);
+    vec2 uv = photometric_uv(direction, 24, 37);
+    return vec4(case_web(direction, 24, 37), case_web(direction, 1, 2), cos(TWO_PI * uv.x), uv.y);
+}
+FN vec4 case_photometric_types(NUMBERS) {
+    float horizontal = between(-1.5f, 1.5f, u[0]);
+    float vertical = between(-1.5f, 1.5f, u[1]);
+    vec2 a = photometric_angles_type_a(photometric_direction_type_a(horizontal, vertical));
+    vec2 b = photometric_angles_type_b(photometric_direction_type_b(horizontal, vertical));
+    return vec4(a.x - b.x, a.y - b.y, a.x + 2.0f, a.y + 2.0f);
+}
 FN vec4 case_equirect_uv(NUMBERS) {
     vec3 direction = case_sphere_direction(u[0], u[1]);
     vec2 uv = equirect_uv(direction);
@@ -146,6 +172,8 @@ CANDELA_SHADING_END
     X(case_area_units, 1e-5f)         \
     X(case_punctual, 2e-5f)           \
     X(case_no_range, 1e-6f)           \
+    X(case_photometric_taps, 2e-5f)   \
+    X(case_photometric_types, 2e-5f)  \
     X(case_equirect_uv, 5e-5f)        \
     X(case_equirect_direction, 1e-5f) \
     X(case_texel_solid_angle, 1e-5f)

@@ -24,6 +24,11 @@ scene::Scene small_room() {
     place(s, sphere(0.5f), grey(0.5f));
     place(s, flat_square(0.5f, {0, 2, 0}, false), lamp(100.0f));
     s.environment = constant(3.0f);
+    return s;
+}
+
+scene::Scene small_room_with_lights() {
+    scene::Scene s = small_room();
     s.lights = {light_of(scene::LightType::sphere, {-1, 1, 0.5f}),
                 light_of(scene::LightType::tube, {1, 0.8f, 0}),
                 light_of(scene::LightType::sun, {}, {0.3f, -1.0f, -0.2f})};
@@ -45,9 +50,9 @@ truth::PathRenderOptions small_options() {
     return o;
 }
 
-truth::PathRender render(const truth::PathRenderOptions& options) {
+truth::PathRender render(const truth::PathRenderOptions& options, const scene::Scene& scene = small_room()) {
     const auto team = truth::join_team();
-    return truth::render_path(small_room(), kCamera, options, *team);
+    return truth::render_path(scene, kCamera, options, *team);
 }
 
 bool same(const truth::Film& a, const truth::Film& b) {
@@ -60,9 +65,9 @@ bool same(const truth::Film& a, const truth::Film& b) {
 TEST(RenderPath, TheNumberOfThreadsDoesNotShow) {
     truth::PathRenderOptions o = small_options();
     o.aovs = true;
-    const truth::PathRender many = render(o);
+    const truth::PathRender many = render(o, small_room_with_lights());
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const truth::PathRender single = render(o);
+    const truth::PathRender single = render(o, small_room_with_lights());
     EXPECT_TRUE(same(many.film, single.film));
     EXPECT_EQ(many.film.tiles[0].samples, 10u);
     o.seed = 1;

@@ -190,6 +190,7 @@ FileWeb read_web(PhotometricText& text, const Header& header, Diagnostics& diagn
     web.horizontal_deg = plane_angles(all_planes, planes, text);
     web.vertical_deg =
         read_angles(text, header.gammas, "gamma angle", [&] { return line_number(text, "a gamma angle"); });
+    web.where = text.place();
     check_step(web.vertical_deg, header.gamma_step_deg, "gamma angles", text.where(), diagnostics);
     const double flux_lm = *profile.lamp_sets[profile.lamp_set].flux_lm;
     const double scale = profile.multiplier * flux_lm / 1000.0;
@@ -212,7 +213,7 @@ PhotometricProfile read_eulumdat(PhotometricText& text, const PhotometricOptions
     read_sizes(text, profile);
     read_light(text, options, profile);
     const FileWeb web = read_web(text, header, diagnostics, profile);
-    expand_type_c(web, text.where(), diagnostics, profile);
+    expand_type_c(web, diagnostics, profile);
     return profile;
 }
 

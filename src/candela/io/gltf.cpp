@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "candela/io/gltf_lights.hpp"
 #include "candela/io/gltf_material.hpp"
-#include "candela/io/gltf_pose.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/tangents.hpp"
 #include "candela/scene/error.hpp"
@@ -21,6 +21,8 @@ constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 26;
 
 const std::set<std::string>& supported_extensions() {
     static const std::set<std::string> names{"KHR_lights_punctual",
+                                             "EXT_lights_ies",
+                                             "EXT_lights_area",
                                              "KHR_texture_transform",
                                              "KHR_materials_emissive_strength",
                                              "KHR_materials_unlit",
@@ -179,53 +181,11 @@ bool finite(const glm::mat4& m) {
     return true;
 }
 
-/// Rotation and place of a node without its scale, for lights and cameras.
-glm::mat4 rigid_part(const glm::mat4& m) {
-    const auto unit = [](const glm::vec3& v, const glm::vec3& fallback) {
-        const float length = glm::length(v);
-        return length > 1e-20f && std::isfinite(length) ? v / length : fallback;
-    };
-    const glm::vec3 z = unit(glm::vec3(m[2]), {0, 0, 1});
-    const glm::vec3 y0 = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
-    const glm::vec3 y = unit(y0, std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
-    return {glm::vec4(glm::cross(y, z), 0.0f), glm::vec4(y, 0.0f), glm::vec4(z, 0.0f),
-            glm::vec4(glm::vec3(m[3]), 1.0f)};
-}
-
-void add_light(const JsonView& source, const Node& node, float light_scale, scene::Scene& scene) {
-    scene::Light light;
-    light.name = source["name"].string_or(node.name);
-    const std::string type = source["type"].string_or("");
-    if (type == "point") {
-        light.type = scene::LightType::point;
-    } else if (type == "spot") {
-        light.type = scene::LightType::spot;
-    } else if (type == "directional") {
-        light.type = scene::LightType::directional;
-    } else {
-        source["type"].fail("must be point, spot or directional");
-    }
-    std::array<float, 3> color{1.0f, 1.0f, 1.0f};
-    source["color"].floats(color);
-    light.color = glm::max(glm::vec3(color[0], color[1], color[2]), glm::vec3(0.0f));
-    light.intensity = std::clamp(source["intensity"].float_or(1.0f) * light_scale, 0.0f, 1e15f);
-    if (const float range_m = source["range"].float_or(0.0f); range_m > 0.0f) light.range_m = range_m;
-    const JsonView spot = source["spot"];
-    light.inner_cone_rad = std::clamp(spot["innerConeAngle"].float_or(0.0f), 0.0f, 1.5707963f);
-    light.outer_cone_rad =
-        std::clamp(spot["outerConeAngle"].float_or(0.7853982f), light.inner_cone_rad, 1.5707963f);
-    const glm::mat4 place = rigid_part(node.world);
-    light.position = glm::vec3(place[3]);
-    light.direction = -glm::vec3(place[2]);
-    light.right = glm::vec3(place[0]);
-    scene.lights.push_back(light);
-}
-
 void add_camera(const JsonView& source, const Node& node, scene::Scene& scene) {
     scene::Camera camera;
     const std::string own_name = source["name"].string_or("");
     camera.name = node.name.empty() ? own_name : node.name;
-    camera.world = rigid_part(node.world);
+    camera.world = scene::rigid_part(node.world);
     const std::string type = source["type"].string_or("");
     const auto positive = [](const JsonView& value, float fallback) {
         const float x = value.float_or(fallback);
@@ -263,7 +223,7 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
         scene.materials.push_back(read_material(document, i, diagnostics));
     }
     const std::vector<Node> nodes = read_posed_nodes(document, options.time_s, diagnostics);
-    const JsonView lights = document.root()["extensions"]["KHR_lights_punctual"]["lights"];
+    GltfLights lights(document, options, diagnostics);
     Poser poser{document, nodes, scene, diagnostics, {}, {}, 0, {}};
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].reachable) continue;
@@ -272,14 +232,12 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
             continue;
         }
         const JsonView node = document.element("nodes", i);
+        if (!nodes[i].name.empty()) scene.nodes.push_back({nodes[i].name, nodes[i].world});
         poser.add_instance(i);
         if (const auto camera = node["camera"].index_below(document.count("cameras"))) {
             add_camera(document.element("cameras", *camera), nodes[i], scene);
         }
-        if (const auto light =
-                node["extensions"]["KHR_lights_punctual"]["light"].index_below(lights.size())) {
-            add_light(lights[*light], nodes[i], options.light_scale, scene);
-        }
+        lights.add(node, nodes[i], scene);
     }
     read_images(document, scene);
     if (scene.instances.empty()) diagnostics.warn("the scene is empty: nothing to draw");

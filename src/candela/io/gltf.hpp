@@ -9,11 +9,19 @@
 
 namespace candela::io {
 
+/// What the numbers of KHR_lights_punctual mean. Blender's exporter writes one of these, by its "lighting
+/// mode".
+enum class GltfLightUnits : std::uint8_t {
+    spec,      ///< cd and lx, as the extension says; Blender's "Standard"
+    unitless,  ///< 1/683 of that; Blender's "Unitless"
+    raw,       ///< W of a point or spot, W/m^2 of a sun; Blender's "Raw"
+};
+
 struct GltfOptions {
     float time_s =
         0.0f;  ///< animations, skins and morph targets are evaluated here; channels clamp at their ends
-    float light_scale =
-        1.0f;  ///< multiplies every KHR_lights_punctual intensity (exporters that lie about units)
+    float light_scale = 1.0f;  ///< multiplies every light of the file
+    GltfLightUnits light_units = GltfLightUnits::spec;
 };
 
 /// Reads .gltf or .glb (told apart by content) with everything it refers to inside its own folder; poses it

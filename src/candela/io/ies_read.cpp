@@ -173,6 +173,7 @@ FileWeb read_web(PhotometricText& text, const Counts& counts, Diagnostics& diagn
         read_angles(text, counts.vertical, "vertical angle", [&] { return text.number("a vertical angle"); });
     web.horizontal_deg = read_angles(text, counts.horizontal, "horizontal angle",
                                      [&] { return text.number("a horizontal angle"); });
+    web.where = text.place();
     const double scale = profile.multiplier * profile.ballast_factor * profile.ballast_lamp_factor;
     bool negative = false;
     web.candela.reserve(nodes);
@@ -221,9 +222,9 @@ PhotometricProfile read_ies(PhotometricText& text, const std::filesystem::path& 
     const Counts counts = read_header(text, diagnostics, profile);
     const FileWeb web = read_web(text, counts, diagnostics, profile);
     if (profile.type == PhotometricType::c) {
-        expand_type_c(web, text.where(), diagnostics, profile);
+        expand_type_c(web, diagnostics, profile);
     } else {
-        convert_type_a_or_b(web, text.where(), diagnostics, profile);
+        convert_type_a_or_b(web, diagnostics, profile);
     }
     describe(profile);
     return profile;

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "candela/scene/material.hpp"
+
 /// Files are written under a temporary name in the same folder and renamed, so no half picture is ever seen.
 namespace candela::io {
 
@@ -35,6 +37,9 @@ void write_png(const std::filesystem::path& file, std::uint32_t width, std::uint
                std::span<const std::uint8_t> rgb, const std::map<std::string, std::string>& text = {});
 void write_png(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,
                std::span<const std::uint16_t> rgb, const std::map<std::string, std::string>& text = {});
+
+/// As PNG in memory, RGBA, the texels as they are.
+[[nodiscard]] std::vector<std::byte> encode_png(const scene::Image& image);
 
 /// Writes text or bytes the same safe way.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);

@@ -8,7 +8,7 @@ namespace candela::io::detail {
 namespace {
 
 bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\0';
+    return c == ' ' || c == '\t';
 }
 bool is_separator(char c) {
     return is_blank(c) || c == ',';
@@ -60,7 +60,14 @@ std::string photometric_utf8(std::string_view bytes) {
     constexpr char dos_end_of_file = 0x1a;
     if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
     bytes = bytes.substr(0, bytes.find(dos_end_of_file));
-    return is_utf8(bytes) ? std::string(bytes) : from_latin1(bytes);
+    std::string out = is_utf8(bytes) ? std::string(bytes) : from_latin1(bytes);
+    // Names go into SVG, which has no control characters.
+    const auto is_control = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+    };
+    std::replace_if(out.begin(), out.end(), is_control, ' ');
+    return out;
 }
 
 std::string_view trimmed(std::string_view text) {

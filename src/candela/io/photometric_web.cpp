@@ -41,7 +41,7 @@ struct Reach {
     bool mirror_c90_c270 = false;
 };
 
-Reach reach_of(const FileWeb& web, const std::string& where, Diagnostics& diagnostics) {
+Reach reach_of(const FileWeb& web, Diagnostics& diagnostics) {
     const double first = web.horizontal_deg.front(), last = web.horizontal_deg.back();
     const auto spans = [&](double from, double to) { return same(first, from) && same(last, to); };
     if (web.horizontal_deg.size() == 1) return {PhotometricSymmetry::axial, false, false};
@@ -53,13 +53,13 @@ Reach reach_of(const FileWeb& web, const std::string& where, Diagnostics& diagno
     if (!same(first, 0.0) || last <= 180.0 || last > 360.0 + kSameAngle_deg)
         throw input_error(
             "horizontal angles from " + degrees(first) + " to " + degrees(last) + " are no range of type C",
-            where, "0 to 0, 90, 180 or 360, or 90 to 270");
+            web.where, "0 to 0, 90, 180 or 360, or 90 to 270");
     // The standard of 1995 allows any last angle over 180; what is missing is between the last and the first.
     double widest = 0.0;
     for (std::size_t i = 0; i + 1 < web.horizontal_deg.size(); ++i)
         widest = std::max(widest, web.horizontal_deg[i + 1] - web.horizontal_deg[i]);
     if (360.0 - last > 1.5 * widest)
-        diagnostics.warn(where + ": no half-planes between C = " + degrees(last) +
+        diagnostics.warn(web.where + ": no half-planes between C = " + degrees(last) +
                          " and 360; they are interpolated");
     return {};
 }
@@ -123,16 +123,33 @@ Rows rows_of(const FileWeb& web) {
     return out;
 }
 
-void check_vertical(const FileWeb& web, const std::string& where, Diagnostics& diagnostics) {
+void check_vertical(const FileWeb& web, Diagnostics& diagnostics) {
     const double first = web.vertical_deg.front(), last = web.vertical_deg.back();
     if (first < -kSameAngle_deg || last > 180.0 + kSameAngle_deg)
         throw input_error(
             "vertical angles from " + degrees(first) + " to " + degrees(last) + " leave type C's 0 to 180",
-            where);
+            web.where);
     const bool standard = (same(first, 0.0) || same(first, 90.0)) && (same(last, 90.0) || same(last, 180.0));
     if (!standard)
-        diagnostics.warn(where + ": vertical angles only from " + degrees(first) + " to " + degrees(last) +
-                         "; dark elsewhere");
+        diagnostics.warn(web.where + ": vertical angles only from " + degrees(first) + " to " +
+                         degrees(last) + "; dark elsewhere");
+}
+
+/// At a pole all half-planes meet: files that disagree there say more than one thing of one direction.
+void check_poles(const FileWeb& web, Diagnostics& diagnostics) {
+    constexpr double tolerance = 0.01;
+    const std::size_t stride = web.vertical_deg.size();
+    for (const auto& [pole, row] : {std::pair{0.0, std::size_t{0}}, {180.0, stride - 1}}) {
+        if (!same(web.vertical_deg[row], pole)) continue;
+        double least = web.candela[row], most = least;
+        for (std::size_t i = row; i < web.candela.size(); i += stride) {
+            least = std::min(least, web.candela[i]);
+            most = std::max(most, web.candela[i]);
+        }
+        if (most - least > tolerance * most)
+            diagnostics.warn(web.where + ": half-planes disagree at gamma " + degrees(pole) + ", " +
+                             degrees(least) + " to " + degrees(most) + " cd; right there C0 counts");
+    }
 }
 
 /// The web's value at angles of types A and B; dark beyond them, mirrored where they start at 0.
@@ -192,10 +209,10 @@ double conversion_step_deg(const FileWeb& web) {
 
 }  // namespace
 
-void expand_type_c(const FileWeb& web, const std::string& where, Diagnostics& diagnostics,
-                   PhotometricProfile& profile) {
-    check_vertical(web, where, diagnostics);
-    const Reach reach = reach_of(web, where, diagnostics);
+void expand_type_c(const FileWeb& web, Diagnostics& diagnostics, PhotometricProfile& profile) {
+    check_vertical(web, diagnostics);
+    check_poles(web, diagnostics);
+    const Reach reach = reach_of(web, diagnostics);
     const std::vector<HalfPlane> planes = half_planes(web, reach);
     const Rows rows = rows_of(web);
     const std::size_t stride = web.vertical_deg.size();
@@ -223,15 +240,14 @@ void expand_type_c(const FileWeb& web, const std::string& where, Diagnostics& di
     add(360.0, last.source, first.source, share);
 }
 
-void convert_type_a_or_b(const FileWeb& web, const std::string& where, Diagnostics& diagnostics,
-                         PhotometricProfile& profile) {
+void convert_type_a_or_b(const FileWeb& web, Diagnostics& diagnostics, PhotometricProfile& profile) {
     if (web.horizontal_deg.size() < 2 || web.vertical_deg.size() < 2)
-        throw input_error("types A and B need at least two angles of each kind", where);
+        throw input_error("types A and B need at least two angles of each kind", web.where);
     for (const auto* angles : {&web.horizontal_deg, &web.vertical_deg}) {
         if (angles->front() < -180.0 - kSameAngle_deg || angles->back() > 180.0 + kSameAngle_deg)
-            throw input_error("angles of types A and B are between -180 and 180", where);
+            throw input_error("angles of types A and B are between -180 and 180", web.where);
         if (!same(angles->front(), 0.0) && !same(angles->front(), -angles->back()))
-            diagnostics.warn(where + ": angles only from " + degrees(angles->front()) + " to " +
+            diagnostics.warn(web.where + ": angles only from " + degrees(angles->front()) + " to " +
                              degrees(angles->back()) + "; dark elsewhere");
     }
     const ViewedWeb viewed(web);
@@ -241,6 +257,7 @@ void convert_type_a_or_b(const FileWeb& web, const std::string& where, Diagnosti
     const std::vector<double>& around = type_a ? web.horizontal_deg : web.vertical_deg;
     const bool in_front = around.back() <= 90.0 + kSameAngle_deg && around.front() >= -90.0 - kSameAngle_deg;
     FileWeb c;
+    c.where = web.where;
     for (int i = 0; i * step <= (in_front ? 90.0 : 180.0); ++i) c.vertical_deg.push_back(i * step);
     for (int i = 0; i * 2.0 * step <= 360.0; ++i) c.horizontal_deg.push_back(i * 2.0 * step);
     for (const double c_deg : c.horizontal_deg) {
@@ -252,7 +269,7 @@ void convert_type_a_or_b(const FileWeb& web, const std::string& where, Diagnosti
             c.candela.push_back(viewed(double{angles.x} / kDegree, double{angles.y} / kDegree));
         }
     }
-    expand_type_c(c, where, diagnostics, profile);
+    expand_type_c(c, diagnostics, profile);
     profile.symmetry = viewed.symmetry();
 }
 

@@ -16,16 +16,15 @@ constexpr std::size_t kMostNodes = std::size_t{1} << 21;
 
 /// A web as a file has it: its own angles, its own symmetry.
 struct FileWeb {
+    std::string where;                   ///< "file:line" of its angles, for messages
     std::vector<double> vertical_deg;    ///< ascending
     std::vector<double> horizontal_deg;  ///< ascending; one: the same in all half-planes
     std::vector<double> candela;         ///< [horizontal * vertical_deg.size() + vertical]
 };
 
 /// Puts the web into the profile, whole: mirrored as its symmetry asks, dark where it says nothing, and, for
-/// types A and B, as seen from type C's angles. Sets the symmetry. Throws Error at `where`.
-void expand_type_c(const FileWeb& web, const std::string& where, Diagnostics& diagnostics,
-                   scene::PhotometricProfile& profile);
-void convert_type_a_or_b(const FileWeb& web, const std::string& where, Diagnostics& diagnostics,
-                         scene::PhotometricProfile& profile);
+/// types A and B, as seen from type C's angles. Sets the symmetry. Throws Error.
+void expand_type_c(const FileWeb& web, Diagnostics& diagnostics, scene::PhotometricProfile& profile);
+void convert_type_a_or_b(const FileWeb& web, Diagnostics& diagnostics, scene::PhotometricProfile& profile);
 
 }  // namespace candela::io::detail

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "candela/io/stage_lights.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
 
@@ -30,6 +31,7 @@ struct StageCamera {
 struct Stage {
     std::optional<StageEnvironment> environment;
     StageCamera camera;
+    std::vector<StageLight> lights;  ///< placed by place_stage_lights
     scene::Exposure exposure;
 };
 

@@ -7,7 +7,7 @@ namespace candela::realtime {
 /// Pass 2: sorts tiles into one list a shading class, ready for indirect dispatch.
 class ClassifyPass {
   public:
-    ClassifyPass(const gpu::Device& device, const GpuScene& scene);
+    ClassifyPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
     void record(gpu::Commands& commands, FrameResources& frame) const;
 
     /// Bytes of FrameResources::tiles for this many tiles.

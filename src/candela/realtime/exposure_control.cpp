@@ -5,6 +5,8 @@
 
 #include "shading/exposure.glsl"
 #include "shading/language.glsl"
+#include "shading/lights/sampling.glsl"
+#include "shading/lights/units.glsl"
 
 namespace candela::realtime {
 
@@ -12,6 +14,45 @@ float manual_ev100(const scene::Exposure& exposure) {
     if (exposure.ev100) return *exposure.ev100;
     return shading::ev100_from_camera(*exposure.aperture_f, *exposure.shutter_s, *exposure.iso);
 }
+
+namespace {
+
+/// Intensity in cd of a light far away, seen from where it is largest.
+float intensity_cd(const scene::Light& light) {
+    const float strength = light.intensity * shading::luminance(light.color);
+    switch (light.type) {
+        case scene::LightType::sphere:
+            return strength * shading::PI * shading::square(light.radius_m);
+        case scene::LightType::disk:
+            return strength * shading::disk_area(light.radius_m);
+        case scene::LightType::rectangle:
+            return strength * 4.0f * light.half_width_m * light.half_height_m;
+        case scene::LightType::tube:
+            return strength * (shading::PI * shading::square(light.radius_m) +
+                               4.0f * light.radius_m * light.half_width_m);
+        default:
+            return strength;
+    }
+}
+
+float typical_illuminance_lx(const scene::Light& light, const glm::vec3& center, float reach_m) {
+    const float strength = intensity_cd(light);
+    if (scene::is_distant(light.type)) return strength;
+    const float distance_m = std::max(glm::length(light.position - center), reach_m);
+    return strength / (distance_m * distance_m);
+}
+
+/// The brightest channel of what the camera sees of a light, in cd/m^2; 0 when it sees nothing of it.
+float visible_nit(const scene::Light& light) {
+    if (!light.visible || !scene::has_extent(light.type)) return 0.0f;
+    const float strength = light.intensity * shading::max_component(light.color);
+    if (light.type != scene::LightType::sun) return strength;
+    const glm::vec3 to_sun = -light.direction;
+    return strength *
+           shading::sun_nit_from_lx(to_sun, to_sun, 0.5f * light.angular_diameter_rad, light.limb_darkening);
+}
+
+}  // namespace
 
 LightEstimate estimate_light(const scene::Scene& scene) {
     LightEstimate estimate;
@@ -21,13 +62,8 @@ LightEstimate estimate_light(const scene::Scene& scene) {
     const float reach_m =
         bounds.empty() ? 1.0f : std::max(0.25f * glm::length(bounds.max - bounds.min), 1e-3f);
     for (const scene::Light& light : scene.lights) {
-        const float strength = light.intensity * shading::luminance(light.color);
-        if (light.type == scene::LightType::directional) {
-            illuminance_lx += strength;
-        } else {
-            const float distance_m = std::max(glm::length(light.position - center), reach_m);
-            illuminance_lx += strength / (distance_m * distance_m);
-        }
+        illuminance_lx += typical_illuminance_lx(light, center, reach_m);
+        estimate.peak_nit = std::max(estimate.peak_nit, visible_nit(light));
     }
     if (scene.environment && !scene.environment->luminance_nit.empty()) {
         const scene::Environment& e = *scene.environment;

@@ -25,7 +25,7 @@ gpu::GraphicsDesc make_desc(const FrameResources& frame) {
 
 ShadeVariant variant(const GpuScene& scene) {
     ShadeVariant v;
-    v.lights = scene.light_count > 0;
+    v.light_kinds = scene.light_list.kinds;
     v.forward = true;
     return v;
 }

@@ -14,20 +14,24 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(p.dfg),
             bits(p.reflection),
             bits(variant.layers),
-            bits(variant.lights),
+            variant.light_kinds,
             bits(frame.has_environment),
             bits(variant.shading_class),
             bits(variant.emissive),
             bits(frame.write_aovs),
             bits(variant.forward),
-            frame.integrate_tables.variant};
+            frame.integrate_tables.variant,
+            bits(frame.culled_lights),
+            bits(p.area_diffuse),
+            bits(p.area_specular)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
     return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -37,11 +41,17 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
-            gpu::bind_buffer(frame.integrate_tables.buffer)};
+            gpu::bind_buffer(frame.integrate_tables.buffer),
+            gpu::bind_buffer(frame.light_lists),
+            gpu::bind_buffer(scene.profiles),
+            gpu::bind_sampled(frame.ltc.view(), frame.clamp.get())};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
     commands.use(scene.lights, gpu::Use::storage_read);
+    commands.use(frame.light_lists, gpu::Use::storage_read);
+    commands.use(scene.profiles, gpu::Use::storage_read);
+    commands.use(frame.ltc, gpu::Use::sampled);
     commands.use(frame.dfg, gpu::Use::sampled);
     commands.use(frame.environment.specular, gpu::Use::sampled);
     commands.use(frame.environment.irradiance, gpu::Use::sampled);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 
@@ -26,7 +27,21 @@ struct FrameBlock {
     glm::vec4 ray;
     glm::vec4 ray_dx;
     glm::vec4 ray_dy;
+    glm::ivec4 lights;
+    glm::ivec4 light_cells;
+    glm::vec4 light_slices;
     glm::uvec4 random;
+};
+
+/// Where things are in FrameResources::light_lists, in words: entries used of the room, heads of the tiles'
+/// lists, heads of the cells' lists, the list of all lights, room for the other lists. A head is where its
+/// list begins.
+struct LightListPlaces {
+    std::int32_t first_cell = 0;
+    std::int32_t first_all = 0;
+    std::int32_t first_room = 0;
+    std::int32_t room = 0;
+    glm::ivec3 cells{0};
 };
 
 /// Shading classes of shaders/gbuffer.glsl.
@@ -74,9 +89,15 @@ struct FrameResources {
     gpu::Image depth;
     gpu::Image light;  ///< pre-exposed
     gpu::Buffer tiles;
+    bool culled_lights = false;  ///< tiles and cells have lists of their own
+    LightListPlaces light_places;
+    gpu::Buffer light_lists;
+    gpu::Buffer
+        tile_bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
     std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
 
     gpu::Image dfg;
+    gpu::Image ltc;  ///< 1 x 1 without area lights
     bake::EnvironmentMaps environment;
     IntegrateTables integrate_tables;
     gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
@@ -91,18 +112,18 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...15 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...18 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
     bool layers = false;
-    bool lights = false;
+    std::uint32_t light_kinds = 0;
     bool emissive = false;
     bool forward = false;
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...6 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...9 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

@@ -113,11 +113,14 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
 
 }  // namespace
 
-GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene) {
+GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                   bool with_emissive)
+    : light_list(realtime::light_list(scene, with_emissive)) {
     upload_geometry(device, commands, scene);
     upload_textures(device, commands, scene);
     upload_materials(device, commands, scene);
-    upload_lights(device, commands, scene);
+    upload_lights(device, commands);
+    visible_shapes = static_cast<std::uint32_t>(shape_lights(light_list).size());
 }
 
 void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& commands,
@@ -223,13 +226,16 @@ void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& comman
     materials = gpu::upload_buffer(device, commands, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
 
-void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene) {
-    std::vector<LightBlock> blocks;
-    for (const scene::Light& light : scene.lights) blocks.push_back(light_block(light));
-    light_count = static_cast<std::uint32_t>(blocks.size());
-    if (blocks.empty()) blocks.emplace_back();
-    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(blocks)),
-                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands) {
+    const auto upload = [&](auto list) {
+        if (list.empty()) list.emplace_back();
+        return gpu::upload_buffer(device, commands, std::as_bytes(std::span(list)),
+                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    };
+    light_count = static_cast<std::uint32_t>(light_list.blocks.size());
+    lights = upload(light_list.blocks);
+    light_reaches = upload(light_list.reaches);
+    profiles = upload(light_list.profile_cd);
 }
 
 std::vector<VkDescriptorType> GpuScene::material_set_layout() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
+#include "candela/realtime/light_list.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
 
@@ -70,13 +71,19 @@ struct BlendedSurface {
 /// A scene's geometry, textures, materials and lights in device memory. Lives as long as its device.
 class GpuScene {
   public:
-    GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+    /// with_emissive: emissive surfaces are lights too.
+    GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+             bool with_emissive);
 
     gpu::Buffer vertices;
     gpu::Buffer indices;
     gpu::Buffer materials;  ///< uniform blocks, material_stride apart
-    gpu::Buffer lights;     ///< storage
+    LightList light_list;
+    gpu::Buffer lights;         ///< storage, LightList::blocks
+    gpu::Buffer light_reaches;  ///< storage, LightList::reaches
+    gpu::Buffer profiles;       ///< storage, LightList::profile_cd
     std::uint32_t light_count = 0;
+    std::uint32_t visible_shapes = 0;  ///< lights that the camera sees as what they are
     std::vector<Draw> draws;
     std::vector<BlendedSurface> blended_surfaces;
     bool any_emissive = false;  ///< emissive or unlit surfaces among the opaque draws
@@ -91,7 +98,7 @@ class GpuScene {
     void upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
     void upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
     void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
-    void upload_lights(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+    void upload_lights(const gpu::Device& device, gpu::Commands& commands);
 
     struct TextureSlot {
         std::uint32_t image = 0;    // into images_

@@ -29,13 +29,15 @@ glm::vec2 type_numbers(const scene::Light& light) {
 LightBlock light_block(const scene::Light& light) {
     constexpr int two_sided = 1;
     constexpr int limb_darkening = 2;
+    constexpr int visible = 4;
     const glm::vec2 numbers = type_numbers(light);
     LightBlock block{};
     block.position_range = glm::vec4(light.position, std::min(light.range_m, 1e18f));
     block.color_type = glm::vec4(light.color * light.intensity, static_cast<float>(light.type));
     block.direction_a = glm::vec4(light.direction, numbers.x);
     block.right_b = glm::vec4(light.right, numbers.y);
-    block.links = glm::ivec4((light.two_sided ? two_sided : 0) | (light.limb_darkening ? limb_darkening : 0),
+    block.links = glm::ivec4((light.two_sided ? two_sided : 0) | (light.limb_darkening ? limb_darkening : 0) |
+                                 (light.visible ? visible : 0),
                              -1, -1, 0);
     return block;
 }

@@ -37,7 +37,7 @@ LightingPass::LightingPass(const gpu::Device& device, const FrameResources& fram
         ShadeVariant variant;
         variant.shading_class = shading_class;
         variant.layers = shading_class == ShadingClass::layered;
-        variant.lights = scene.light_count > 0;
+        variant.light_kinds = scene.light_list.kinds;
         variant.emissive = scene.any_emissive;
         pipelines_.push_back({shading_class, gpu::create_compute_pipeline(device, code, layout(),
                                                                           specialization(frame, variant))});

@@ -31,7 +31,12 @@ std::vector<Slot> slots() {
             slot("energy", &Profile::energy, {"none", "compensated"}),
             slot("dfg", &Profile::dfg, {"table", "env-brdf-approx"}),
             slot("reflection", &Profile::reflection, {"mirror-direction", "dominant-direction"}),
-            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"})};
+            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"}),
+            slot("area-diffuse", &Profile::area_diffuse,
+                 {"exact", "structured-sampling", "form-factor", "most-representative-point",
+                  "most-representative-point-drobot", "light-position", "five-times"}),
+            slot("area-specular", &Profile::area_specular,
+                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening"})};
 }
 
 template <class Names>
@@ -53,7 +58,9 @@ Profile frostbite() {
             .energy = EnergyTechnique::none,
             .dfg = DfgTechnique::table,
             .reflection = ReflectionTechnique::dominant_direction,
-            .specular_aa = SpecularAaTechnique::none};
+            .specular_aa = SpecularAaTechnique::none,
+            .area_diffuse = AreaDiffuseTechnique::structured_sampling,
+            .area_specular = AreaSpecularTechnique::dominant_direction};
 }
 
 Profile ue4() {
@@ -64,7 +71,9 @@ Profile ue4() {
             .energy = EnergyTechnique::none,
             .dfg = DfgTechnique::table,
             .reflection = ReflectionTechnique::mirror_direction,
-            .specular_aa = SpecularAaTechnique::none};
+            .specular_aa = SpecularAaTechnique::none,
+            .area_diffuse = AreaDiffuseTechnique::light_position,
+            .area_specular = AreaSpecularTechnique::representative_point};
 }
 
 Profile mobile() {

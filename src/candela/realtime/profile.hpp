@@ -16,6 +16,22 @@ enum class EnergyTechnique : std::uint8_t { none, compensated };
 enum class DfgTechnique : std::uint8_t { table, env_brdf_approx };
 enum class ReflectionTechnique : std::uint8_t { mirror_direction, dominant_direction };
 enum class SpecularAaTechnique : std::uint8_t { none, footprint };
+/// Of what the shape has none of its own for, the nearest: shaders/area_lights.glsl.
+enum class AreaDiffuseTechnique : std::uint8_t {
+    exact,
+    structured_sampling,
+    form_factor,
+    most_representative_point,
+    most_representative_point_drobot,
+    light_position,
+    five_times,
+};
+enum class AreaSpecularTechnique : std::uint8_t {
+    ltc,
+    representative_point,
+    dominant_direction,
+    specular_d_widening
+};
 
 struct Profile {
     std::string name;
@@ -26,6 +42,8 @@ struct Profile {
     DfgTechnique dfg = DfgTechnique::table;
     ReflectionTechnique reflection = ReflectionTechnique::dominant_direction;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
+    AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
+    AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;
 };
 
 /// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.

@@ -6,12 +6,15 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "candela/bake/ltc_table.hpp"
 #include "candela/realtime/classify_pass.hpp"
+#include "candela/realtime/cull_pass.hpp"
 #include "candela/realtime/exposure_control.hpp"
 #include "candela/realtime/forward_pass.hpp"
 #include "candela/realtime/gbuffer_pass.hpp"
 #include "candela/realtime/lighting_pass.hpp"
 #include "candela/realtime/metering.hpp"
+#include "candela/realtime/shape_pass.hpp"
 #include "shading/exposure.glsl"
 #include "shading/sequence.glsl"
 
@@ -61,6 +64,11 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
                                        options.profile.visibility == VisibilityTechnique::schlick_smith
                                            ? bake::DfgModel::ue4_schlick_smith
                                            : bake::DfgModel::smith_correlated);
+    const bool ltc = frame.profile.area_specular == AreaSpecularTechnique::ltc;
+    frame.ltc = ltc && (gpu_scene.light_list.kinds & kAreaKinds) != 0
+                    ? bake::create_ltc_table(device, commands)
+                    : gpu::Image(device, {1, 1, kPictureFormat, VK_IMAGE_USAGE_SAMPLED_BIT});
+    create_light_lists(device, commands, gpu_scene, options.cull_lights && !options.integrate, frame);
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
     frame.integrate_tables = upload_integrate_tables(device, commands, scene, options.integrate);
@@ -85,6 +93,35 @@ void write_rays(FrameBlock& block, const glm::vec2& size) {
     block.ray_dy = glm::vec4((through(0.5f, size.y - 0.5f) - origin) / std::max(size.y - 1.0f, 1.0f), 0.0f);
 }
 
+/// Where the lists of lights are. The cells before the camera run from the nearest to the farthest point of
+/// the scene's bounds.
+void write_light_places(FrameBlock& block, const FrameResources& frame, const GpuScene& scene,
+                        const scene::Aabb& bounds) {
+    const LightListPlaces& places = frame.light_places;
+    const std::vector<LightBlock>& lights = scene.light_list.blocks;
+    const auto sun = std::find_if(lights.begin(), lights.end(), [](const LightBlock& light) {
+        return light.color_type.w == static_cast<float>(LightKind::sun);
+    });
+    block.lights =
+        glm::ivec4(places.first_all, places.first_room, places.room, static_cast<int>(sun - lights.begin()));
+    block.light_cells = glm::ivec4(places.cells, places.first_cell);
+    float near_m = 1e30f;
+    float far_m = 0.0f;
+    for (int i = 0; i < 8 && !bounds.empty(); ++i) {
+        const glm::vec3 corner((i & 1) != 0 ? bounds.max.x : bounds.min.x,
+                               (i & 2) != 0 ? bounds.max.y : bounds.min.y,
+                               (i & 4) != 0 ? bounds.max.z : bounds.min.z);
+        const float depth_m =
+            glm::dot(glm::vec3(block.camera_position) - corner, glm::vec3(block.camera_backward));
+        near_m = std::min(near_m, depth_m);
+        far_m = std::max(far_m, depth_m);
+    }
+    near_m = std::max(near_m, std::max(1e-3f * far_m, 1e-3f));
+    const float stops = std::log(std::max(far_m / near_m, 1.1f));
+    block.light_slices =
+        glm::vec4(near_m, static_cast<float>(std::max(places.cells.z, 1)) / stops, 0.0f, 0.0f);
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -92,14 +129,17 @@ struct Renderer::State {
         : device(&device_in),
           options(options_in),
           commands(device_in),
-          gpu_scene(device_in, commands, scene),
+          gpu_scene(device_in, commands, scene, !options_in.integrate),
           frame(create_frame(device_in, commands, scene, gpu_scene, options_in)),
           gbuffer(device_in, frame, gpu_scene),
-          classify(device_in, gpu_scene),
+          shapes(device_in, frame, gpu_scene),
+          classify(device_in, frame, gpu_scene),
+          cull(device_in, frame),
           lighting(device_in, frame, gpu_scene),
           forward(device_in, frame, gpu_scene),
           metering(device_in),
-          light_limits(estimate_light(scene)) {
+          light_limits(estimate_light(scene)),
+          scene_bounds(scene::world_bounds(scene)) {
         if (scene.environment) {
             environment_rotation_rad = scene.environment->rotation_rad;
             environment_scale = scene.environment->scale;
@@ -124,13 +164,16 @@ struct Renderer::State {
     GpuScene gpu_scene;
     FrameResources frame;
     GBufferPass gbuffer;
+    ShapePass shapes;
     ClassifyPass classify;
+    CullPass cull;
     LightingPass lighting;
     ForwardPass forward;
     MeteringPass metering;
     std::optional<PicturePass> picture;
     std::optional<PresentPass> present;
     LightEstimate light_limits;
+    scene::Aabb scene_bounds;
     float environment_rotation_rad = 0.0f;
     float environment_scale = 1.0f;
     bool environment_visible = true;
@@ -155,6 +198,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     block.size =
         glm::ivec4(frame.width, frame.height, gpu_scene.light_count, frame.environment.specular_levels);
     block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
+    write_light_places(block, frame, gpu_scene, scene_bounds);
     block.random = glm::uvec4(sample, options.seed, draws, 0);
     write_rays(block, glm::vec2(frame.width, frame.height));
     std::memcpy(frame.frame_block.mapped(), &block, sizeof(block));
@@ -162,7 +206,9 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
 
 void Renderer::State::record_light(const scene::Camera& camera) {
     gbuffer.record(commands, frame, gpu_scene);
+    shapes.record(commands, frame, gpu_scene);
     classify.record(commands, frame);
+    cull.record(commands, frame, gpu_scene);
     lighting.record(commands, frame, gpu_scene);
     forward.record(commands, frame, gpu_scene, glm::vec3(camera.world[3]),
                    glm::normalize(glm::vec3(camera.world[2])));

@@ -20,6 +20,7 @@ struct RendererOptions {
     Profile profile;
     std::uint32_t tone_curve = 3;  ///< of shading/tone_curves.glsl; interactive frames only
     bool aovs = false;
+    bool cull_lights = true;  ///< false: every point asks every light; for tests
     /// Finds the integrals that the profile's techniques approximate, one sample of them in each of
     /// `samples`: the mode `integrate`.
     std::optional<IntegrateOptions> integrate;

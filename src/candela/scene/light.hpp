@@ -69,8 +69,10 @@ struct Light {
     std::uint32_t image = no_index;  ///< rectangle: index into Scene::images, sRGB, multiplies the luminance
 
     LightUnit unit = LightUnit::candela;  ///< as stated
+    float efficacy_lm_per_w = 0.0f;       ///< as stated; 0: not in watts
     SpotPower spot_power = SpotPower::frostbite;
     float color_temperature_k = 0.0f;  ///< as stated; 0: the colour was given as RGB
+    std::string carrier;               ///< where it was read from, for people: a glTF extension, "stage"
 
     /// Unit: cross(right, direction).
     [[nodiscard]] glm::vec3 up() const noexcept {

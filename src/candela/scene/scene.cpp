@@ -50,6 +50,18 @@ float yfov_from_focal_mm(float focal_mm) {
     return 2.0f * std::atan(0.5f * sensor_height_mm / focal_mm);
 }
 
+glm::mat4 rigid_part(const glm::mat4& world) {
+    const auto unit = [](const glm::vec3& v, const glm::vec3& fallback) {
+        const float length = glm::length(v);
+        return length > 1e-20f && std::isfinite(length) ? v / length : fallback;
+    };
+    const glm::vec3 z = unit(glm::vec3(world[2]), {0, 0, 1});
+    const glm::vec3 y0 = glm::vec3(world[1]) - z * glm::dot(z, glm::vec3(world[1]));
+    const glm::vec3 y = unit(y0, std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+    return {glm::vec4(glm::cross(y, z), 0.0f), glm::vec4(y, 0.0f), glm::vec4(z, 0.0f),
+            glm::vec4(glm::vec3(world[3]), 1.0f)};
+}
+
 Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad) {
     const glm::vec3 back = glm::normalize(from - at);
     const glm::vec3 up = std::abs(back.y) > 0.9999f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);

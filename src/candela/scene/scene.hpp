@@ -51,6 +51,12 @@ struct Instance {
     glm::mat4 world{1.0f};          ///< may mirror (negative determinant): winding then flips
 };
 
+/// Where a named node is: what a stage can attach a light to.
+struct Node {
+    std::string name;
+    glm::mat4 world{1.0f};
+};
+
 enum class Projection : std::uint8_t { perspective, orthographic };
 
 struct Camera {
@@ -99,6 +105,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<PhotometricProfile> profiles;  ///< Light::profile points here
     std::vector<Camera> cameras;
+    std::vector<Node> nodes;  ///< those that have a name
     std::optional<Environment> environment;
     Exposure exposure;
 };
@@ -110,6 +117,9 @@ struct Scene {
 
 /// A camera that sees all of `bounds` from the front right, a little from above; 50 mm lens on 36x24 mm.
 [[nodiscard]] Camera frame_bounds(const Aabb& bounds, float aspect);
+
+/// Rotation and place of a node without its scale and without mirroring: how lights and cameras stand.
+[[nodiscard]] glm::mat4 rigid_part(const glm::mat4& world);
 
 /// Camera at `from`, looking at `at`, +Y up (+Z where the view is along Y). yfov_rad in (0, pi).
 [[nodiscard]] Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad);

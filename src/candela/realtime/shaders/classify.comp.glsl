@@ -7,6 +7,7 @@
 
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool kOneClass = false;  // every surface is of the standard class: depth tells enough
+layout(constant_id = 1) const bool kTileBounds = false;  // for the lists of lights
 layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
 layout(set = 0, binding = 2) uniform sampler2D depth_image;
 layout(set = 0, binding = 3, std430) buffer Tiles {
@@ -14,11 +15,15 @@ layout(set = 0, binding = 3, std430) buffer Tiles {
     uint list[];                  // kClassCount lists of tiles.z entries: x | y << 16
 } tiles;
 
+layout(set = 0, binding = 4, std430) writeonly buffer TileBounds { vec4 tile_bounds[]; };  // lowest, highest corner
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uint(frame.tiles.z)) return;
     ivec2 tile = ivec2(int(index) % frame.tiles.x, int(index) / frame.tiles.x);
     uint classes = 0u;
+    vec3 low = vec3(1.0e30);
+    vec3 high = vec3(-1.0e30);
     for (int i = 0; i < 64; ++i) {
         ivec2 pixel = min(tile * 8 + ivec2(i & 7, i >> 3), frame.size.xy - 1);
         float depth = texelFetch(depth_image, pixel, 0).r;
@@ -27,6 +32,15 @@ void main() {
         } else {
             classes |= 1u << shading_class(depth, texelFetch(gbuffer_image, pixel, 0));
         }
+        if (kTileBounds && depth != 0.0) {
+            vec3 position = world_position(vec2(pixel) + 0.5, depth);
+            low = min(low, position);
+            high = max(high, position);
+        }
+    }
+    if (kTileBounds) {
+        tile_bounds[2u * index] = vec4(low, 0.0);
+        tile_bounds[2u * index + 1u] = vec4(high, 0.0);
     }
     for (uint c = 0u; c < kClassCount; ++c) {
         if ((classes & (1u << c)) == 0u) continue;

@@ -113,7 +113,7 @@ Arrival sample_line_light(Light light, float u, vec3 to_center_m) {
 // Point, spot, frustum, directional: one direction there is.
 Arrival only_arrival(Light light, vec3 position) {
     vec3 l;
-    vec3 lx = perpendicular_illuminance(light, position, l);
+    vec3 lx = perpendicular_illuminance(type_of(light), light, position, l);
     if (type_of(light) == kLightDirectional) return Arrival(l, kNoEnd, lx, 1.0, true);
     return Arrival(l, distance(light.position_range.xyz, position), lx * profile_factor(light, -l), 1.0, true);
 }

@@ -7,6 +7,8 @@
 
 const float kLightLimit = 65504.0;
 
-Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return shade(g, position, v); }
+Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
+    return shade(g, position, v, kHasLights ? lights_of_cell(vec2(pixel), position) : 0u);
+}
 
 #include "blended_surface.glsl"

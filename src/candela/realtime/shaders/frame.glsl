@@ -14,6 +14,10 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 ray;               // world direction through pixel (0, 0), any length
     vec4 ray_dx;            // its change per pixel
     vec4 ray_dy;
+    ivec4 lights;           // of the light lists: x first entry of the list of all lights, y first of the room for others,
+                            //   z entries in it; w index of the first sun
+    ivec4 light_cells;      // x, y, z cells; w first of their lists
+    vec4 light_slices;      // x nearest depth in m, y slices per natural logarithm of depth; z, w unused
     uvec4 random;           // x sample, y seed, z draws a sample (integrate.glsl); w unused
 } frame;
 
@@ -44,6 +48,15 @@ vec3 from_environment(vec3 d) {
 // From the camera through a pixel, unnormalised: linear in the pixel, so that it costs no matrix and no division.
 vec3 pixel_ray(ivec2 pixel) {
     return frame.ray.xyz + float(pixel.x) * frame.ray_dx.xyz + float(pixel.y) * frame.ray_dy.xyz;
+}
+
+// Of the buffer of light lists (C++: LightListPlaces).
+const int kFirstTileList = 1;
+
+// Cells of lights: kCellSize pixels wide and high, slices of equal ratio in depth.
+const int kCellSize = 32;
+int light_slice(float depth_m) {
+    return max(int(log(max(depth_m, 1.0e-6) / frame.light_slices.x) * frame.light_slices.y), 0);
 }
 
 #endif

@@ -11,6 +11,8 @@ const uint kClassStandard = 1u;
 const uint kClassLayered = 2u;
 const uint kClassUnlit = 3u;
 const uint kClassCount = 4u;
+// The last word of an unlit pixel that shows a light: its luminance is light, not a display's colour.
+const uint kEmitterMark = 0xffffffffu;
 
 struct GBuffer {
     uint shading_class;

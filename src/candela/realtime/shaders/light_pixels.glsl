@@ -10,19 +10,19 @@ layout(constant_id = 11) const uint kShadingClass = 1u;
 layout(constant_id = 12) const bool kHasEmissive = false;
 layout(constant_id = 13) const bool kWriteAovs = false;
 
-layout(set = 0, binding = 7) uniform usampler2D gbuffer_image;
-layout(set = 0, binding = 8) uniform usampler2D layers_image;
-layout(set = 0, binding = 9) uniform sampler2D depth_image;
-layout(set = 0, binding = 10, LIGHT_FORMAT) uniform image2D light_image;
-layout(set = 0, binding = 11, std430) readonly buffer Tiles {
+layout(set = 0, binding = kShadingBindings + 0) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = kShadingBindings + 1) uniform usampler2D layers_image;
+layout(set = 0, binding = kShadingBindings + 2) uniform sampler2D depth_image;
+layout(set = 0, binding = kShadingBindings + 3, LIGHT_FORMAT) uniform image2D light_image;
+layout(set = 0, binding = kShadingBindings + 4, std430) readonly buffer Tiles {
     uvec4 dispatch[kClassCount];
     uint list[];
 } tiles;
-layout(set = 0, binding = 12, rgba32f) writeonly uniform image2D direct_diffuse_image;
-layout(set = 0, binding = 13, rgba32f) writeonly uniform image2D direct_specular_image;
-layout(set = 0, binding = 14, rgba32f) writeonly uniform image2D indirect_diffuse_image;
-layout(set = 0, binding = 15, rgba32f) writeonly uniform image2D indirect_specular_image;
-layout(set = 0, binding = 16, rgba32f) writeonly uniform image2D emissive_image;
+layout(set = 0, binding = kShadingBindings + 5, rgba32f) writeonly uniform image2D direct_diffuse_image;
+layout(set = 0, binding = kShadingBindings + 6, rgba32f) writeonly uniform image2D direct_specular_image;
+layout(set = 0, binding = kShadingBindings + 7, rgba32f) writeonly uniform image2D indirect_diffuse_image;
+layout(set = 0, binding = kShadingBindings + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
+layout(set = 0, binding = kShadingBindings + 9, rgba32f) writeonly uniform image2D emissive_image;
 
 void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
     imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));
@@ -30,6 +30,19 @@ void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
     imageStore(indirect_diffuse_image, pixel, vec4(lit.indirect_diffuse, 1.0));
     imageStore(indirect_specular_image, pixel, vec4(lit.indirect_specular, 1.0));
     imageStore(emissive_image, pixel, vec4(emissive_nit, 1.0));
+}
+
+// Luminance in cd/m^2 of the suns' discs in a direction. Suns stand together in the list of lights.
+vec3 suns_seen(vec3 direction) {
+    vec3 sum_nit = vec3(0.0);
+    for (int i = frame.lights.w; i < frame.size.z && int(lights[i].color_type.w) == kLightSun; ++i) {
+        Light sun = lights[i];
+        bool seen = (sun.links.x & kLightVisible) != 0 && meets_sun(direction, -sun.direction_a.xyz, sun.right_b.w);
+        bool darkened = (sun.links.x & kLightLimbDarkening) != 0;
+        float nit_per_lx = sun_nit_from_lx(direction, -sun.direction_a.xyz, sun.right_b.w, darkened);
+        sum_nit += seen ? sun.color_type.rgb * nit_per_lx : vec3(0.0);
+    }
+    return sum_nit;
 }
 
 void main() {
@@ -45,6 +58,7 @@ void main() {
             luminance_nit = sample_background(background_map, to_environment(pixel_ray(pixel))) *
                             (frame.environment.z * frame.environment.w);
         }
+        if ((kLightKinds & (1u << uint(kLightSun))) != 0u) luminance_nit += suns_seen(normalize(pixel_ray(pixel)));
         imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(kLightLimit)), 1.0));
         if (kWriteAovs) write_aovs(pixel, kNoLight, vec3(0.0));
         return;
@@ -54,7 +68,8 @@ void main() {
     if (shading_class(depth, words) != kShadingClass) return;
 
     if (kShadingClass == kClassUnlit) {
-        if (kWriteAovs) write_aovs(pixel, kNoLight, vec3(0.0));
+        vec3 emissive_nit = words.w == kEmitterMark ? imageLoad(light_image, pixel).rgb * frame.exposure.y : vec3(0.0);
+        if (kWriteAovs) write_aovs(pixel, kNoLight, emissive_nit);
         return;
     }
 

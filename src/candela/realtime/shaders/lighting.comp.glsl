@@ -8,6 +8,6 @@
 const float kLightLimit = 65504.0;
 const bool kNeedsPosition = kHasLights;
 
-Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return shade(g, position, v); }
+Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return shade(g, position, v, kHasLights ? lights_of_tile(pixel / 8u) : 0u); }
 
 #include "light_pixels.glsl"

@@ -5,17 +5,20 @@
 #include "lights/punctual.glsl"
 
 struct Light {
-    vec4 position_range;  // m; w = window radius in m
-    vec4 color_type;      // rgb * (cd, lx or cd/m^2); w = type
-    vec4 direction_a;     // unit, the way the light travels; w by type:
+    vec4 position_range;  // m; w = window radius in m. A triangle: its first corner
+    vec4 color_type;      // rgb * (cd, lx or cd/m^2); w = kind
+    vec4 direction_a;     // unit, the way the light travels; w by kind:
                           //   spot cosine of the inner half angle, frustum tangent of half the horizontal angle,
-                          //   line, tube half length in m, rectangle half width in m, sun cosine of the angular radius
-    vec4 right_b;         // unit; w by type: spot cosine of the outer half angle, frustum tangent of half the vertical
-                          //   angle, rectangle half height in m, sphere, disk, tube radius in m, sun angular radius in rad
-    ivec4 links;          // x kTwoSided | ..., y row of the profile or layer of the image, z shadow; -1: none
+                          //   line, tube half length in m, rectangle half width in m, sun cosine of the angular radius.
+                          // A triangle: its second corner in m
+    vec4 right_b;         // unit; w by kind: spot cosine of the outer half angle, frustum tangent of half the vertical
+                          //   angle, rectangle half height in m, sphere, disk, tube radius in m, sun angular radius in rad.
+                          // A triangle: its third corner in m
+    ivec4 links;          // x kLightTwoSided | ..., y first number of the profile or layer of the image, z shadow,
+                          //   w width | height << 16 of the profile; -1: none
 };
 
-// C++: scene::LightType.
+// C++: LightKind in light_list.hpp; the first ten are those of scene::LightType.
 const int kLightPoint = 0;
 const int kLightSpot = 1;
 const int kLightDirectional = 2;
@@ -26,32 +29,37 @@ const int kLightSphere = 6;
 const int kLightDisk = 7;
 const int kLightRectangle = 8;
 const int kLightTube = 9;
+const int kLightTriangle = 10;
+const int kLightPhotometric = 11;
 
 // Of links.x.
 const int kLightTwoSided = 1;
 const int kLightLimbDarkening = 2;
+const int kLightVisible = 4;
 
-// Direction to the light and the illuminance per channel (lx) that it gives on a plane facing it.
-vec3 perpendicular_illuminance(Light light, vec3 position, out vec3 l) {
-    int type = int(light.color_type.w);
-    if (type == kLightDirectional) {
+// Of lights without extent: the direction to the light and the illuminance per channel (lx) that it gives on a plane
+// facing it, without a profile. What needs no distance or angle does without when `kind` is a constant.
+vec3 perpendicular_illuminance(int kind, Light light, vec3 position, out vec3 l) {
+    if (kind == kLightDirectional) {
         l = -light.direction_a.xyz;
         return light.color_type.rgb;
     }
     vec3 to_light = light.position_range.xyz - position;
     l = to_light * inversesqrt(max(dot(to_light, to_light), 1e-12));
-    float range_m = light.position_range.w;
-    float attenuation = distance_attenuation(to_light, range_m);
-    if (type == kLightSpot) {
+    float attenuation = distance_attenuation(to_light, light.position_range.w);
+    if (kind == kLightSpot || kind == kLightPhotometric) {
         float cos_angle = dot(-l, light.direction_a.xyz);
         attenuation *= angle_attenuation(cos_angle, light.direction_a.w, light.right_b.w);
     }
-    if (type == kLightFrustum) {
+    if (kind == kLightFrustum) {
         vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
         attenuation *= frustum_attenuation(-l, light.direction_a.xyz, light.right_b.xyz, up, light.direction_a.w,
                                            light.right_b.w);
     }
     return light.color_type.rgb * attenuation;
+}
+vec3 perpendicular_illuminance(Light light, vec3 position, out vec3 l) {
+    return perpendicular_illuminance(int(light.color_type.w), light, position, l);
 }
 
 #endif

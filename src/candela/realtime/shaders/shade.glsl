@@ -19,8 +19,13 @@ layout(constant_id = 6) const int kDfg = 0;
 layout(constant_id = 7) const int kReflection = 0;
 // What this variant has to do at all.
 layout(constant_id = 8) const bool kShadeLayers = false;
-layout(constant_id = 9) const bool kHasLights = false;
+layout(constant_id = 9) const uint kLightKinds = 0u;  // bit (1 << kind) of every kind of light in the scene
 layout(constant_id = 10) const bool kHasEnvironment = false;
+
+layout(constant_id = 16) const bool kCulledLights = false;
+layout(constant_id = 17) const int kAreaDiffuse = 0;
+layout(constant_id = 18) const int kAreaSpecular = 0;
+const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgEnvBrdfApprox = 1;
 const int kReflectionDominant = 1;
@@ -30,6 +35,11 @@ layout(set = 0, binding = 2) uniform sampler2D dfg_table;
 layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
 layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
 layout(set = 0, binding = 5) uniform sampler2D background_map;
+layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_entries[]; };
+layout(set = 0, binding = 8, std430) readonly buffer Profiles { float profile_cd[]; };
+layout(set = 0, binding = 9) uniform sampler2D ltc_table;
+// Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
+const int kShadingBindings = 10;
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -48,6 +58,15 @@ vec4 directional_albedo(float NoV, float perceptual_roughness) {
     return textureLod(dfg_table, dfg_uv(NoV, perceptual_roughness), 0.0);
 }
 
+// What area lights need of a surface point (prepare_area_lights).
+struct AreaSurface {
+    mat3 ltc;
+    mat3 coat_ltc;
+    float coat;          // times a coat's highlight: what it reflects
+    float under_coat;    // what reaches the sheen
+    float under_layers;  // what reaches the base
+};
+
 // A surface point and its viewer, with what does not depend on the light. v is a unit vector.
 struct SurfacePoint {
     GBuffer g;
@@ -57,6 +76,7 @@ struct SurfacePoint {
     vec3 bitangent;
     float NoV;
     vec4 dfg;
+    AreaSurface area;
 };
 
 SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
@@ -90,18 +110,7 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
     }
 }
 
-// A light without extent needs no estimate: its integral is one product.
-void add_punctual_light(Light light, SurfacePoint p, inout Lit lit) {
-    vec3 l;
-    vec3 perpendicular_lx = perpendicular_illuminance(light, p.position, l);
-    float NoL = saturate(dot(p.g.normal, l));
-    vec3 diffuse;
-    vec3 specular;
-    evaluate(p, l, NoL, diffuse, specular);
-    vec3 illuminance_lx = perpendicular_lx * NoL;
-    lit.direct_diffuse += diffuse * illuminance_lx;
-    lit.direct_specular += specular * illuminance_lx;
-}
+#include "light_loop.glsl"
 
 // Prefiltered environment about the lobe's direction, in cd/m^2.
 vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
@@ -137,12 +146,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
                             w.sheen * irradiance_over_pi * g.occlusion;
 }
 
-Lit shade(GBuffer g, vec3 position, vec3 v) {
+// first_light: of the list that holds for this point (light_loop.glsl).
+Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light) {
     SurfacePoint p = surface_point(g, position, v);
     Lit lit = kNoLight;
-    if (kHasLights) {
-        for (int i = 0; i < frame.size.z; ++i) add_punctual_light(lights[i], p, lit);
-    }
+    if (kHasLights) add_lights(p, first_light, lit);
     if (kHasEnvironment) add_environment(p, lit);
     return lit;
 }

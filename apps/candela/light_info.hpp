@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "candela/scene/scene.hpp"
+
+namespace candela::app {
+
+/// A light in all the units that apply, with its size, colour, range and carrier.
+[[nodiscard]] nlohmann::json light_json(const scene::Light& light, const scene::Scene& scene);
+
+/// The same for people: a first line, and its quantities below.
+[[nodiscard]] std::vector<std::string> light_lines(const nlohmann::json& light);
+
+}  // namespace candela::app

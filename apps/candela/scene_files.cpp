@@ -1,0 +1,40 @@
+#include "scene_files.hpp"
+
+#include "candela/scene/error.hpp"
+
+namespace candela::app {
+namespace {
+
+void check(float value, float low, float high, const std::string& option, const std::string& range) {
+    if (!(value >= low && value <= high)) throw Error(Fault::usage, "out of range", option, range);
+}
+
+}  // namespace
+
+void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
+    const std::map<std::string, io::GltfLightUnits> units{{"spec", io::GltfLightUnits::spec},
+                                                          {"standard", io::GltfLightUnits::spec},
+                                                          {"unitless", io::GltfLightUnits::unitless},
+                                                          {"raw", io::GltfLightUnits::raw}};
+    command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
+    command.add_option("--light-scale", o.light_scale, "Multiplies every light of the scene file");
+    command
+        .add_option(
+            "--light-units", o.light_units,
+            "What the scene file's punctual lights are in: spec (cd, lx; Blender's Standard), or Blender's "
+            "unitless or raw")
+        ->transform(CLI::CheckedTransformer(units).description(""));
+    command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
+}
+
+StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostics) {
+    check(o.light_scale, 0.0f, 1e12f, "--light-scale", "0 to 1e+12");
+    check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
+    StagedScene out;
+    out.scene = io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units}, diagnostics);
+    if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
+    io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
+    return out;
+}
+
+}  // namespace candela::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "candela/io/gltf.hpp"
+#include "candela/io/stage.hpp"
+
+namespace candela::app {
+
+/// What every command that reads a scene has: the file, how its lights are meant, and the stage.
+struct SceneFileOptions {
+    std::string scene_file;
+    std::string stage_file;
+    float light_scale = 1.0f;
+    io::GltfLightUnits light_units = io::GltfLightUnits::spec;
+    float time_s = 0.0f;
+};
+
+void add_scene_file_options(CLI::App& command, SceneFileOptions& options);
+
+struct StagedScene {
+    scene::Scene scene;  ///< with the stage's lights; its environment, camera and exposure are in `stage`
+    io::Stage stage;
+};
+
+/// Throws Error for numbers that no scene means, and for what is wrong with the files.
+[[nodiscard]] StagedScene load_staged_scene(const SceneFileOptions& options, Diagnostics& diagnostics);
+
+}  // namespace candela::app

@@ -1,0 +1,216 @@
+// One-sided rectangles as area lights: illuminance per luminance, that is the projected solid angle in sr. right and up are
+// unit and perpendicular; the light shines along -(right cross up), as a node of glTF does along -Z.
+#ifndef CANDELA_LIGHTS_RECTANGLE_GLSL
+#define CANDELA_LIGHTS_RECTANGLE_GLSL
+
+#include "contour.glsl"
+#include "disk.glsl"
+#include "sphere.glsl"
+#include "triangle.glsl"
+
+CANDELA_SHADING_BEGIN
+
+// The corners relative to the receiver, counterclockwise as it sees them.
+struct RectangleCorners {
+    vec3 p0;
+    vec3 p1;
+    vec3 p2;
+    vec3 p3;
+};
+
+FN RectangleCorners rectangle_corners(vec3 to_center_m, vec3 right, vec3 up, float half_width_m, float half_height_m) {
+    vec3 x = right * half_width_m;
+    vec3 y = up * half_height_m;
+    RectangleCorners corners;
+    corners.p0 = to_center_m - x - y;
+    corners.p1 = to_center_m + x - y;
+    corners.p2 = to_center_m + x + y;
+    corners.p3 = to_center_m - x + y;
+    return corners;
+}
+
+// A convex quadrilateral that turns counterclockwise as the receiver sees it, clipped at the receiver's horizon: exact.
+FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
+    vec3 leaves = vec3(0.0f);
+    vec3 returns = vec3(0.0f);
+    float h0 = dot(n, p0);
+    float h1 = dot(n, p1);
+    float h2 = dot(n, p2);
+    float h3 = dot(n, p3);
+    float sum = contour_edge_above(n, p0, p1, h0, h1, leaves, returns);
+    sum += contour_edge_above(n, p1, p2, h1, h2, leaves, returns);
+    sum += contour_edge_above(n, p2, p3, h2, h3, leaves, returns);
+    sum += contour_edge_above(n, p3, p0, h3, h0, leaves, returns);
+    return sum + contour_edge_on_horizon(n, leaves, returns);
+}
+
+// Exact, by the outline's integral after clipping at the horizon. Under 1/300 of the distance the outline's edges
+// cancel to four digits and fewer, and the light is as good as a point.
+FN float rectangle_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                         float half_height_m) {
+    float height_m = dot(cross(right, up), to_center_m);  // of the receiver over the light's plane
+    if (!(height_m > 0.0f)) return 0.0f;
+    float distance2 = dot(to_center_m, to_center_m);
+    if (square(half_width_m) + square(half_height_m) < 1.0e-5f * distance2)
+        return 4.0f * half_width_m * half_height_m * height_m * max(dot(n, to_center_m), 0.0f) /
+               max(square(distance2), 1.0e-37f);
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    return max(quad_projected_solid_angle(n, c.p0, c.p1, c.p2, c.p3), 0.0f);
+}
+
+// Arvo 1994 as in Frostbite listing E.1: the outline's integral without the horizon.
+FN float rectangle_projected_solid_angle_arvo(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                              float half_height_m) {
+    if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    return max(contour_edge(n, c.p0, c.p1) + contour_edge(n, c.p1, c.p2) + contour_edge(n, c.p2, c.p3) +
+                   contour_edge(n, c.p3, c.p0),
+               0.0f);
+}
+
+// Solid angle in sr of the whole rectangle, seen from its front: two triangles, what Frostbite listing 11 (Urena et al.
+// 2013) computes from the angles of the corners.
+FN float rectangle_solid_angle(vec3 to_center_m, vec3 right, vec3 up, float half_width_m, float half_height_m) {
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    vec3 d0 = direction_of(c.p0);
+    vec3 d2 = direction_of(c.p2);
+    return max(triangle_signed_solid_angle(d0, direction_of(c.p1), d2) +
+                   triangle_signed_solid_angle(d0, d2, direction_of(c.p3)),
+               0.0f);
+}
+
+// What of the edge from a to b lies above the horizon, as the solid angle of its triangle with the normal.
+FN float solid_angle_edge_above(vec3 n, vec3 a, vec3 b, INOUT(vec3) leaves, INOUT(vec3) returns) {
+    float height_a = dot(n, a);
+    float height_b = dot(n, b);
+    if (height_a < 0.0f && height_b < 0.0f) return 0.0f;
+    if (height_a < 0.0f) {
+        a = horizon_crossing(a, b, height_a, height_b);
+        returns = a;
+    } else if (height_b < 0.0f) {
+        b = horizon_crossing(a, b, height_a, height_b);
+        leaves = b;
+    }
+    return triangle_signed_solid_angle(n, direction_of(a), direction_of(b));
+}
+
+// Solid angle in sr of what lies above the horizon: exact, for the representative points that ask for it (the rows "(H)" of
+// Frostbite Table E.1).
+FN float rectangle_solid_angle_above_horizon(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                             float half_height_m) {
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    vec3 leaves = vec3(0.0f);
+    vec3 returns = vec3(0.0f);
+    float sum = solid_angle_edge_above(n, c.p0, c.p1, leaves, returns);
+    sum += solid_angle_edge_above(n, c.p1, c.p2, leaves, returns);
+    sum += solid_angle_edge_above(n, c.p2, c.p3, leaves, returns);
+    sum += solid_angle_edge_above(n, c.p3, c.p0, leaves, returns);
+    if (dot(leaves, leaves) > 0.0f && dot(returns, returns) > 0.0f)
+        sum += triangle_signed_solid_angle(n, direction_of(leaves), direction_of(returns));
+    return max(sum, 0.0f);
+}
+
+// Frostbite listing 12: the solid angle of the whole times the mean of the clamped cosines at corners and centre.
+FN float rectangle_projected_solid_angle_structured(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                                    float half_height_m) {
+    if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    float cosines = saturate(dot(n, direction_of(c.p0))) + saturate(dot(n, direction_of(c.p1))) +
+                    saturate(dot(n, direction_of(c.p2))) + saturate(dot(n, direction_of(c.p3))) +
+                    saturate(dot(n, direction_of(to_center_m)));
+    return rectangle_solid_angle(to_center_m, right, up, half_width_m, half_height_m) * 0.2f * cosines;
+}
+
+// The point of the rectangle that is nearest to a point of its plane; both relative to the receiver.
+FN vec3 rectangle_nearest_point(vec3 point, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                float half_height_m) {
+    vec3 offset = point - to_center_m;
+    return to_center_m + right * clamp(dot(offset, right), -half_width_m, half_width_m) +
+           up * clamp(dot(offset, up), -half_height_m, half_height_m);
+}
+
+// Drobot 2014 ("Physically Based Area Lighting in Killzone Shadow Fall") as in Frostbite Appendix E: half way between the
+// direction to the plane's nearest point and that in which the normal meets the plane. A normal that leads away from the
+// plane meets it at infinity.
+FN vec3 rectangle_representative_point_drobot(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                              float half_height_m) {
+    vec3 away = cross(right, up);
+    vec3 towards = n - away * min(dot(n, away), 0.0f);
+    vec3 halfway = away + towards * inversesqrt(max(dot(towards, towards), 1.0e-12f));
+    vec3 point = halfway * (dot(away, to_center_m) / max(dot(halfway, away), 1.0e-6f));
+    return rectangle_nearest_point(point, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+// Frostbite listing E.2.
+FN vec3 rectangle_representative_point(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                       float half_height_m) {
+    vec3 away = cross(right, up);
+    vec3 point = plane_representative_point(n, away, dot(away, to_center_m));
+    return rectangle_nearest_point(point, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+// A direction for BRDFs that are evaluated once per light: Frostbite section 4.7.4.
+FN vec3 rectangle_representative_direction(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                           float half_height_m) {
+    return direction_above_horizon(
+        n, direction_of(rectangle_representative_point(n, to_center_m, right, up, half_width_m, half_height_m)));
+}
+
+// Frostbite equation 40: a point that stands for the whole rectangle. The solid angle of the whole.
+FN float rectangle_projected_solid_angle_at(vec3 point, vec3 n, vec3 to_center_m, vec3 right, vec3 up,
+                                            float half_width_m, float half_height_m) {
+    if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
+    return saturate(dot(n, direction_of(point))) *
+           rectangle_solid_angle(to_center_m, right, up, half_width_m, half_height_m);
+}
+
+// The same with the solid angle of what is above the horizon.
+FN float rectangle_projected_solid_angle_at_horizon(vec3 point, vec3 n, vec3 to_center_m, vec3 right, vec3 up,
+                                                    float half_width_m, float half_height_m) {
+    if (!(dot(cross(right, up), to_center_m) > 0.0f)) return 0.0f;
+    return saturate(dot(n, direction_of(point))) *
+           rectangle_solid_angle_above_horizon(n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+FN float rectangle_projected_solid_angle_drobot(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                                float half_height_m) {
+    vec3 point = rectangle_representative_point_drobot(n, to_center_m, right, up, half_width_m, half_height_m);
+    return rectangle_projected_solid_angle_at(point, n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+FN float rectangle_projected_solid_angle_drobot_horizon(vec3 n, vec3 to_center_m, vec3 right, vec3 up,
+                                                        float half_width_m, float half_height_m) {
+    vec3 point = rectangle_representative_point_drobot(n, to_center_m, right, up, half_width_m, half_height_m);
+    return rectangle_projected_solid_angle_at_horizon(point, n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+FN float rectangle_projected_solid_angle_simplified(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                                    float half_height_m) {
+    vec3 point = rectangle_representative_point(n, to_center_m, right, up, half_width_m, half_height_m);
+    return rectangle_projected_solid_angle_at(point, n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+FN float rectangle_projected_solid_angle_simplified_horizon(vec3 n, vec3 to_center_m, vec3 right, vec3 up,
+                                                            float half_width_m, float half_height_m) {
+    vec3 point = rectangle_representative_point(n, to_center_m, right, up, half_width_m, half_height_m);
+    return rectangle_projected_solid_angle_at_horizon(point, n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+FN float rectangle_projected_solid_angle_position(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                                  float half_height_m) {
+    return rectangle_projected_solid_angle_at(to_center_m, n, to_center_m, right, up, half_width_m, half_height_m);
+}
+
+// Frostbite section 4.7.3: beyond five times its larger side a light is a point.
+FN float rectangle_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                                    float half_height_m) {
+    float distance2 = dot(to_center_m, to_center_m);
+    if (distance2 < square(10.0f * max(half_width_m, half_height_m)))
+        return rectangle_projected_solid_angle(n, to_center_m, right, up, half_width_m, half_height_m);
+    return 4.0f * half_width_m * half_height_m * max(dot(cross(right, up), to_center_m), 0.0f) *
+           max(dot(n, to_center_m), 0.0f) / max(square(distance2), 1.0e-37f);
+}
+
+CANDELA_SHADING_END
+
+#endif

@@ -1,0 +1,37 @@
+#include "candela/measure/specular_figure.hpp"
+
+namespace candela::measure::experiments {
+namespace {
+
+std::vector<SphereColumn> columns() {
+    std::vector<SphereColumn> out;
+    for (const float alpha : {0.02f, 0.05f, 0.1f, 0.25f, 0.5f}) {
+        ShapedLight light = light_towards_spheres(LightShape::sphere, {-1.2f, 1.6f, 1.6f});
+        light.radius = 0.7f;
+        out.push_back({light, alpha});
+    }
+    return out;
+}
+
+Findings run() {
+    Findings out;
+    add_specular_figure(out, "Sphere light", columns(), {"representative point", "transformed cosine"},
+                        {0.06, 0.017});
+    out.text =
+        "The representative point has the light's sharp image, and around it a lobe that is too bright and "
+        "too wide where the light is "
+        "large: the normalization is that of the peak. The transformed cosine is beside it for scale.";
+    return out;
+}
+
+}  // namespace
+
+Experiment karis2013_figure12() {
+    return {"Karis 2013", "Figure 12", "A sphere light by the representative point",
+            "Metal spheres, alpha 0.02, 0.05, 0.1, 0.25 and 0.5 from left to right, under a sphere light: "
+            "equations 11 and 14, and "
+            "linearly transformed cosines, above the sampled integral.",
+            run};
+}
+
+}  // namespace candela::measure::experiments

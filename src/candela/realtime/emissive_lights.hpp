@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "candela/realtime/light_block.hpp"
+#include "candela/scene/scene.hpp"
+
+namespace candela::realtime {
+
+/// Emissive surfaces as lights, when there are so few pieces, are what they are: rectangles where two
+/// triangles make one, else triangles. More of them are put together, all of their power kept.
+inline constexpr std::size_t kMostEmissivePieces = 32;
+
+/// The lights of what glows in a scene, unlit materials apart. Textured emission is its mean over a triangle.
+///
+/// A group of pieces is a disk and a sphere of the group's mean luminance: the disk has the pieces' vector
+/// area (the sum of area times normal), which is what a flat or bowl-shaped group shows to its front, and the
+/// sphere the area that is left, which is all of it for a closed surface. Both together give the power of the
+/// pieces, and a sphere of triangles gives the light of the sphere. Groups are the meshes of the scene, cut
+/// in halves where they are long; there are at most kMostEmissivePieces of them.
+[[nodiscard]] std::vector<LightBlock> emissive_lights(const scene::Scene& scene);
+
+}  // namespace candela::realtime
