@@ -26,7 +26,7 @@ FrameModeStill render_on_device(const gpu::Device& device, const Job& job, const
     o.profile = job.profile;
     o.tone_curve = job.tone_curve;
     o.aovs = options.aovs;
-    if (options.integrate) o.integrate.emplace();
+    if (options.integrate) o.integrate.emplace().ray_shadows = options.ray_shadows;
     FrameModeStill out;
     const auto setup = Clock::now();
     realtime::Renderer renderer(device, job.scene, o);

@@ -10,6 +10,7 @@ struct FrameModeOptions {
     std::uint32_t samples = 4;
     std::uint32_t seed = 0;
     bool aovs = false;
+    bool ray_shadows = false;  ///< of integrate
 };
 
 /// Samples a pixel of a mode on the device when nothing is said: realtime, or integrate.

@@ -41,9 +41,11 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
     const gpu::Device device(device_options(options.job));
     info.device = device_line(device.info());
     info.samples = options.samples.value_or(default_samples(integrate));
+    if (integrate) info.settings["shadows"] = options.path.shadows == "ray" ? "ray" : "none";
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
-    FrameModeStill frame = render_on_device(
-        device, job, {integrate, info.samples, options.job.seed, !options.files.aovs.empty()});
+    FrameModeStill frame = render_on_device(device, job,
+                                            {integrate, info.samples, options.job.seed,
+                                             !options.files.aovs.empty(), options.path.shadows == "ray"});
     seconds["setup"] = frame.setup_s;
     seconds["render"] = frame.render_s;
     if (options.job.validation) throw_validation(device);
@@ -71,11 +73,14 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
 
 void check_mode(const RenderOptions& options) {
     if (options.mode == "path") return;
-    if (any_path_option(options.path)) {
-        throw Error(Fault::usage,
-                    "--time-limit, --target-error, --max-bounces, --direct-only, --shadows, --furnace, "
-                    "--depth-of-field, --focus-m and --checkpoint are the path tracer's",
-                    "--mode " + options.mode, "--mode path");
+    PathModeOptions of_path_alone = options.path;
+    if (options.mode == "integrate") of_path_alone.shadows.clear();
+    if (any_path_option(of_path_alone)) {
+        throw Error(
+            Fault::usage,
+            "--time-limit, --target-error, --max-bounces, --direct-only, --furnace, --depth-of-field, "
+            "--focus-m and --checkpoint are the path tracer's; --shadows also integrate's",
+            "--mode " + options.mode, "--mode path");
     }
     if (options.samples.value_or(1) > 4096) throw Error(Fault::usage, "more than 4096 samples", "--spp");
     for (const std::string& aov : options.files.aovs) {

@@ -20,7 +20,7 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.emissive),
             bits(frame.write_aovs),
             bits(variant.forward),
-            bits(frame.integrate.value_or(Strategy::both)),
+            frame.integrate_tables.variant,
             bits(frame.culled_lights),
             bits(p.area_diffuse),
             bits(p.area_specular)};
@@ -41,7 +41,7 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
-            gpu::bind_buffer(frame.environment_distribution),
+            gpu::bind_buffer(frame.integrate_tables.buffer),
             gpu::bind_buffer(frame.light_lists),
             gpu::bind_buffer(scene.profiles),
             gpu::bind_sampled(frame.ltc.view(), frame.clamp.get())};
@@ -56,7 +56,7 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.environment.specular, gpu::Use::sampled);
     commands.use(frame.environment.irradiance, gpu::Use::sampled);
     commands.use(frame.environment.background, gpu::Use::sampled);
-    commands.use(frame.environment_distribution, gpu::Use::storage_read);
+    commands.use(frame.integrate_tables.buffer, gpu::Use::storage_read);
 }
 
 }  // namespace candela::realtime

@@ -99,9 +99,9 @@ struct FrameResources {
     gpu::Image dfg;
     gpu::Image ltc;  ///< 1 x 1 without area lights
     bake::EnvironmentMaps environment;
-    gpu::Buffer environment_distribution;  ///< a word when nothing is integrated
-    gpu::Owned<VkSampler> clamp;           ///< linear, clamp to edge
-    gpu::Owned<VkSampler> repeat_u;        ///< linear, repeats in u
+    IntegrateTables integrate_tables;
+    gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
+    gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
     gpu::Owned<VkSampler> nearest;
 
     /// Half floats are enough for a finished frame. A sample of an integral may be far above its mean, and a

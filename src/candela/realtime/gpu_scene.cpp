@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "candela/realtime/light_block.hpp"
 #include "candela/realtime/material_block.hpp"
 #include "candela/realtime/mipmaps.hpp"
 #include "candela/realtime/opacity.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/profile.hpp"
@@ -16,7 +17,8 @@ enum class Strategy : std::uint8_t { both, light, bsdf };
 
 struct IntegrateOptions {
     Strategy strategy = Strategy::both;
-    std::uint32_t draws = 4;  ///< of each strategy in a sample of a pixel
+    std::uint32_t draws = 4;   ///< of each strategy in a sample of a pixel
+    bool ray_shadows = false;  ///< light is what reaches the surface, past the triangles of the scene
 };
 
 /// Draws for the one frame that the exposure is metered from: the mean of logarithms is lower than the
@@ -27,8 +29,17 @@ inline constexpr std::uint32_t kMeterDraws = 16;
 /// stays, for energy compensation, and pixels' footprints are supersampled.
 [[nodiscard]] Profile integrand(Profile profile);
 
-/// bake::EnvironmentDistribution in the order of shaders/integrate.glsl; one word without an environment.
-[[nodiscard]] gpu::Buffer upload_environment_distribution(const gpu::Device& device, gpu::Commands& commands,
-                                                          const scene::Environment* environment);
+/// What shaders/tables.glsl reads: the environment's distribution, the emitters and, for ray shadows, the
+/// scene's triangles.
+struct IntegrateTables {
+    gpu::Buffer buffer;
+    std::uint32_t variant =
+        0;  ///< kIntegrate of shaders/integrate.glsl: the strategy and what there is to find
+};
+/// Throws Error (Fault::machine) when the tables are more than the device can bind. Without options: an empty
+/// header.
+[[nodiscard]] IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands& commands,
+                                                      const scene::Scene& scene,
+                                                      const std::optional<IntegrateOptions>& options);
 
 }  // namespace candela::realtime

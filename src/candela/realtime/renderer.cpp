@@ -71,9 +71,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     create_light_lists(device, commands, gpu_scene, options.cull_lights && !options.integrate, frame);
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
-    const scene::Environment* integrated =
-        options.integrate && scene.environment ? &*scene.environment : nullptr;
-    frame.environment_distribution = upload_environment_distribution(device, commands, integrated);
+    frame.integrate_tables = upload_integrate_tables(device, commands, scene, options.integrate);
     return frame;
 }
 

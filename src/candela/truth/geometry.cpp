@@ -148,22 +148,4 @@ void Geometry::corners(std::uint32_t part, std::uint32_t triangle, glm::vec3 (&o
     out[2] = p.positions[index[p.mirrored ? 1 : 2]];
 }
 
-glm::vec3 offset_from_surface(const glm::vec3& p, const glm::vec3& n) {
-    // Near the origin of the world a step in units of the last place is too small: a fixed one instead.
-    constexpr float near_origin = 1.0f / 32.0f;
-    constexpr float float_step = 1.0f / 65536.0f;
-    constexpr float int_scale = 256.0f;
-    glm::vec3 out;
-    for (int c = 0; c < 3; ++c) {
-        const auto ulps = static_cast<std::int32_t>(int_scale * n[c]);
-        std::int32_t bits = 0;
-        std::memcpy(&bits, &p[c], sizeof(bits));
-        bits += p[c] < 0.0f ? -ulps : ulps;
-        float moved = 0.0f;
-        std::memcpy(&moved, &bits, sizeof(moved));
-        out[c] = std::abs(p[c]) < near_origin ? p[c] + float_step * n[c] : moved;
-    }
-    return out;
-}
-
 }  // namespace candela::truth

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "candela/scene/scene.hpp"
+#include "shading/ray_origin.glsl"
 
 namespace candela::truth {
 
@@ -61,9 +62,6 @@ class Geometry {
     std::unique_ptr<Embree> embree_;
 };
 
-/// Moves a point of a surface off it along the unit normal n, just far enough that a ray from there does not
-/// meet the surface again in single precision: Waechter & Binder 2019 ("A Fast and Robust Method for Avoiding
-/// Self-Intersection", Ray Tracing Gems, chapter 6).
-[[nodiscard]] glm::vec3 offset_from_surface(const glm::vec3& p, const glm::vec3& n);
+using shading::offset_from_surface;
 
 }  // namespace candela::truth

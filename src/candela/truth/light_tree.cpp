@@ -7,47 +7,13 @@
 #include <limits>
 #include <numeric>
 
+#include "shading/lights/emission_cone.glsl"
+
 namespace candela::truth {
 namespace {
 
-constexpr float kPi = 3.14159265f;
-
-float sine(float cosine) {
-    return std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
-}
-
-/// cos(max(a - b, 0)) for angles in [0, pi] given by their cosines and sines.
-float cos_difference(float sin_a, float cos_a, float sin_b, float cos_b) {
-    return cos_a > cos_b ? 1.0f : cos_a * cos_b + sin_a * sin_b;
-}
-float sin_difference(float sin_a, float cos_a, float sin_b, float cos_b) {
-    return cos_a > cos_b ? 0.0f : sin_a * cos_b - cos_a * sin_b;
-}
-
-glm::vec3 rotate(const glm::vec3& v, const glm::vec3& unit_axis, float angle_rad) {
-    const float c = std::cos(angle_rad);
-    const float s = std::sin(angle_rad);
-    return v * c + glm::cross(unit_axis, v) * s + unit_axis * (glm::dot(unit_axis, v) * (1.0f - c));
-}
-
-/// Smallest cone about two cones: Conty Estevez & Kulla 2018, algorithm 1.
-void unite_cones(const LightBounds& a, const LightBounds& b, LightBounds& out) {
-    const LightBounds& wide = a.cos_normals <= b.cos_normals ? a : b;
-    const LightBounds& thin = a.cos_normals <= b.cos_normals ? b : a;
-    const float wide_rad = std::acos(std::clamp(wide.cos_normals, -1.0f, 1.0f));
-    const float thin_rad = std::acos(std::clamp(thin.cos_normals, -1.0f, 1.0f));
-    const float between_rad = std::acos(std::clamp(glm::dot(wide.axis, thin.axis), -1.0f, 1.0f));
-    out.axis = wide.axis;
-    out.cos_normals = wide.cos_normals;
-    if (std::min(between_rad + thin_rad, kPi) <= wide_rad) return;
-    const float united_rad = 0.5f * (wide_rad + between_rad + thin_rad);
-    const glm::vec3 about = glm::cross(wide.axis, thin.axis);
-    if (united_rad >= kPi || glm::dot(about, about) < 1e-12f) {
-        out.cos_normals = -1.0f;
-        return;
-    }
-    out.axis = glm::normalize(rotate(wide.axis, glm::normalize(about), united_rad - wide_rad));
-    out.cos_normals = std::cos(united_rad);
+shading::EmissionCone cone_of(const LightBounds& b) {
+    return {b.axis, b.cos_normals, b.cos_emission, b.two_sided};
 }
 
 LightBounds unite(const LightBounds& a, const LightBounds& b) {
@@ -56,10 +22,12 @@ LightBounds unite(const LightBounds& a, const LightBounds& b) {
     LightBounds out;
     out.box = a.box;
     out.box.extend(b.box);
-    unite_cones(a, b, out);
-    out.cos_emission = std::min(a.cos_emission, b.cos_emission);
+    const shading::EmissionCone cone = shading::unite_cones(cone_of(a), cone_of(b));
+    out.axis = cone.axis;
+    out.cos_normals = cone.cos_normals;
+    out.cos_emission = cone.cos_emission;
+    out.two_sided = cone.two_sided;
     out.power = a.power + b.power;
-    out.two_sided = a.two_sided || b.two_sided;
     out.reach = a.reach;
     out.reach.extend(b.reach);
     return out;
@@ -70,36 +38,12 @@ bool within(const scene::Aabb& box, const glm::vec3& p) {
            p.z <= box.max.z;
 }
 
-/// Estimate of what a node gives at a point: power over squared distance, times the best cosine at the node
-/// and at the receiver that its bounds allow. 0 only where nothing can arrive.
+/// 0 only where nothing can arrive: outside of what the lights' ranges reach, too.
 float importance(const LightBounds& b, const glm::vec3& point, const glm::vec3& normal) {
     if (!within(b.reach, point)) return 0.0f;
     const glm::vec3 center = 0.5f * (b.box.min + b.box.max);
-    const glm::vec3 half = b.box.max - center;
-    const glm::vec3 to_point = point - center;
-    const float distance2 = glm::dot(to_point, to_point);
-    const float radius2 = glm::dot(half, half);
-    const float clamped2 = std::max(distance2, std::max(0.25f * radius2, 1e-10f));
-    if (distance2 <= radius2) return b.power / clamped2;
-    const glm::vec3 direction = to_point / std::sqrt(distance2);
-    const float sin_box2 = radius2 / distance2;
-    const float sin_box = std::sqrt(sin_box2);
-    const float cos_box = std::sqrt(1.0f - sin_box2);
-
-    float cos_axis = glm::dot(b.axis, direction);
-    if (b.two_sided) cos_axis = std::abs(cos_axis);
-    const float sin_axis = sine(cos_axis);
-    const float sin_normals = sine(b.cos_normals);
-    const float cos_x = cos_difference(sin_axis, cos_axis, sin_normals, b.cos_normals);
-    const float sin_x = sin_difference(sin_axis, cos_axis, sin_normals, b.cos_normals);
-    const float cos_at_light = cos_difference(sin_x, cos_x, sin_box, cos_box);
-    if (cos_at_light <= b.cos_emission - 1e-4f) return 0.0f;
-
-    const float cos_receiver = -glm::dot(direction, normal);
-    const float best_receiver = cos_difference(sine(cos_receiver), cos_receiver, sin_box, cos_box);
-    if (best_receiver <= 0.0f) return 0.0f;
-    // The floor: a light seen edge-on must not become so rare that its weight explodes.
-    return b.power * std::max(cos_at_light, 0.02f) * best_receiver / clamped2;
+    return shading::emission_importance(cone_of(b), b.power, std::numeric_limits<float>::infinity(),
+                                        b.box.max - center, point - center, normal);
 }
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace {
 constexpr int kMaxSheets = 512;
 /// Paths are cut by chance from here on.
 constexpr int kSureBounces = 3;
-/// Where the facets of a coarse mesh begin to shadow themselves; everywhere else the true surface is better.
-constexpr float kGrazingCosine = 0.1f;
 /// Rays to lights end this much before them, so that a light that lies on a surface is not hidden by it.
 constexpr float kBeforeLight = 1.0f - 1e-4f;
 
@@ -57,7 +55,7 @@ struct PathIntegrator::Vertex {
 
     /// Those that leave it close to, or below, the plane of its triangle start from the smooth surface.
     [[nodiscard]] glm::vec3 origin_towards(const glm::vec3& l) const {
-        if (glm::dot(point.geometric_normal, l) >= kGrazingCosine) return origin;
+        if (glm::dot(point.geometric_normal, l) >= shading::kGrazingCosine) return origin;
         return offset_from_surface(point.smooth_position, point.geometric_normal);
     }
 };

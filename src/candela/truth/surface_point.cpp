@@ -5,6 +5,7 @@
 
 #include "shading/basis.glsl"
 #include "shading/fresnel.glsl"
+#include "shading/ray_origin.glsl"
 
 namespace candela::truth {
 
@@ -55,20 +56,12 @@ bool has_layers(const scene::Material& m) {
     return m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f) || m.anisotropy.strength > 0.0f;
 }
 
-/// Hanika 2021: the mean of the point's projections onto the planes at the corners, which bulges as the
-/// normals do.
 glm::vec3 smooth_surface(const Part& part, const std::uint32_t* index, float u, float v, const glm::vec3& p,
                          float facing) {
-    const float weight[3] = {1.0f - u - v, u, v};
-    glm::vec3 shift(0.0f);
-    // Of a flat face nothing bulges.
-    if (part.normals[index[0]] == part.normals[index[1]] && part.normals[index[0]] == part.normals[index[2]])
-        return p;
-    for (int c = 0; c < 3; ++c) {
-        const glm::vec3 n = part.normals[index[c]] * facing;
-        shift -= weight[c] * std::min(glm::dot(p - part.positions[index[c]], n), 0.0f) * n;
-    }
-    return p + shift;
+    const auto corner = [&](int c) { return part.positions[index[c]]; };
+    const auto normal = [&](int c) { return part.normals[index[c]] * facing; };
+    return shading::smooth_surface(p, {1.0f - u - v, u, v}, corner(0), corner(1), corner(2), normal(0),
+                                   normal(1), normal(2));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The integrals that shade.glsl approximates, by brute force: L = sum over lights of the integral of f(v,l) Lin(l) <n.l>
-// over directions, without visibility. Lights without extent are exact; the environment is drawn from in two ways,
-// by its own luminance and by the lobes of the BSDF, put together by the power heuristic (Veach 1995).
+// over directions, times visibility where the tables hold a scene for rays. Lights without extent are exact. What has
+// extent (the environment, suns, shapes, emissive triangles) is drawn from in two ways, by its own light and by the lobes
+// of the BSDF, put together by the power heuristic (Veach 1995).
 #ifndef CANDELA_INTEGRATE_GLSL
 #define CANDELA_INTEGRATE_GLSL
 
@@ -13,23 +14,25 @@
 const int kStrategyBoth = 0;
 const int kStrategyLight = 1;
 const int kStrategyBsdf = 2;
-layout(constant_id = 15) const int kStrategy = kStrategyBoth;
+// The strategy and, above it, what the tables hold (C++: IntegrateVariant): what is not there is not in the pipeline.
+layout(constant_id = 15) const int kIntegrate = 0;
+const int kStrategy = kIntegrate & 3;
+const bool kCastsRays = (kIntegrate & 4) != 0;
+const bool kHasEmitters = (kIntegrate & 8) != 0;
+const bool kHasAsked = (kIntegrate & 16) != 0;
+const bool kHasTransparency = (kIntegrate & 32) != 0;
+
+#include "emitters.glsl"
 
 // bake/environment_distribution.hpp: height + 1 entries of rows, then height rows of width + 1 entries.
-layout(set = 0, binding = 6, std430) readonly buffer EnvironmentDistribution { float environment_cdf[]; };
+float environment_cdf(int index) { return table_floats[environment_first_float() + uint(index)]; }
 
 // Dimensions of the random sequence, two numbers each.
 const uint kPairEnvironment = 0u;
 const uint kPairBsdf = 1u;
-const uint kPairLobe = 2u;
-
-// One direction towards a light that has extent, and the densities in 1/sr with which the two ways draw it.
-struct LightDraw {
-    vec3 l;
-    vec3 luminance_nit;
-    float pdf_light;
-    float pdf_bsdf;
-};
+const uint kPairChoice = 2u;  // of the lobe, and of the emitter
+const uint kPairEmitter = 3u;
+const uint kPairAsked = 4u;  // and on: one a sun
 
 // Largest i in [0, count) with cdf[first + i] <= u, and how far u is into that step, in [0,1).
 int search_cdf(int first, int count, float u, out float fraction, out float share) {
@@ -37,19 +40,19 @@ int search_cdf(int first, int count, float u, out float fraction, out float shar
     int high = count;
     while (high - low > 1) {
         int middle = (low + high) >> 1;
-        if (environment_cdf[first + middle] <= u) {
+        if (environment_cdf(first + middle) <= u) {
             low = middle;
         } else {
             high = middle;
         }
     }
-    float below = environment_cdf[first + low];
-    share = environment_cdf[first + low + 1] - below;
+    float below = environment_cdf(first + low);
+    share = environment_cdf(first + low + 1) - below;
     fraction = share > 0.0 ? min((u - below) / share, 0.99999994) : 0.5;
     return low;
 }
 
-float cdf_step(int index) { return environment_cdf[index + 1] - environment_cdf[index]; }
+float cdf_step(int index) { return environment_cdf(index + 1) - environment_cdf(index); }
 int first_of_row(int row, ivec2 size) { return size.y + 1 + row * (size.x + 1); }
 
 float environment_pdf(ivec2 texel, ivec2 size) {
@@ -76,77 +79,210 @@ vec3 sample_environment(vec2 u, ivec2 size, out float pdf) {
     return environment_texel_direction(texel, fraction, size);
 }
 
-// Adds one draw. by_light: which of its two densities it was drawn with.
-void add_draw(SurfacePoint p, LightDraw draw, bool by_light, float scale, inout vec3 diffuse_nit,
-              inout vec3 specular_nit) {
-    float pdf = by_light ? draw.pdf_light : draw.pdf_bsdf;
-    float other = by_light ? draw.pdf_bsdf : draw.pdf_light;
-    float NoL = dot(p.g.normal, draw.l);
-    if (NoL <= 0.0 || !(pdf > 0.0)) return;
-    float weight = kStrategy == kStrategyBoth ? power_heuristic(pdf, other) : 1.0;
-    vec3 diffuse;
-    vec3 specular;
-    evaluate(p, draw.l, NoL, diffuse, specular);
-    vec3 weighted_nit = draw.luminance_nit * (scale * weight * NoL / pdf);
-    diffuse_nit += diffuse * weighted_nit;
-    specular_nit += specular * weighted_nit;
-}
+// A surface point with what all its draws share.
+struct Receiver {
+    SurfacePoint p;
+    RayOrigins rays;
+    vec3 tangent;
+    vec3 bitangent;
+    BsdfLobes lobes;
+};
 
-void integrate_environment(SurfacePoint p, uvec2 pixel, inout Lit lit) {
+Receiver receiver(SurfacePoint p) {
+    Receiver r;
+    r.p = p;
+    if (kCastsRays) {
+        r.rays = ray_origins(p.position, p.v, p.g.normal);
+        r.p.position = r.rays.position;
+    }
     GBuffer g = p.g;
-    vec3 tangent = g.tangent;
-    vec3 bitangent = p.bitangent;
-    if (!kShadeLayers) orthonormal_basis(g.normal, tangent, bitangent);
+    r.tangent = g.tangent;
+    r.bitangent = p.bitangent;
+    if (!kShadeLayers) orthonormal_basis(g.normal, r.tangent, r.bitangent);
     float coat_NoV = p.NoV;
     vec4 coat_dfg = vec4(0.0);
     if (kShadeLayers) {
         coat_NoV = max(dot(g.coat_normal, p.v), 1.0e-4);
         coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
     }
-    BsdfLobes lobes = bsdf_lobes(g.surface, techniques(), p.NoV, coat_NoV, p.dfg, coat_dfg);
-    ivec2 size = textureSize(background_map, 0);
-    uint seed = pixel_seed(pixel, frame.random.y);
-    float scale = 1.0 / float(frame.random.z);
-    for (uint i = 0u; i < frame.random.z; ++i) {
-        uint index = frame.random.x * frame.random.z + i;
-        LightDraw draw;
-        if (kStrategy != kStrategyBsdf) {
-            vec3 d = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), size, draw.pdf_light);
-            draw.l = from_environment(d);
-            // What the surface faces away from weighs nothing: its texels need no reading.
-            if (dot(g.normal, draw.l) > 0.0) {
-                draw.luminance_nit = environment_luminance_nit(d, size);
-                draw.pdf_bsdf =
-                    pdf_bsdf(lobes, g.surface, g.normal, tangent, bitangent, g.coat_normal, p.v, draw.l);
-                add_draw(p, draw, true, scale, lit.indirect_diffuse, lit.indirect_specular);
-            }
+    r.lobes = bsdf_lobes(g.surface, techniques(), p.NoV, coat_NoV, p.dfg, coat_dfg);
+    return r;
+}
+
+// One draw, by whichever way.
+struct Draw {
+    vec3 l;
+    vec3 direct;    // cd/m^2, or lx of lights without extent, times all but the BSDF, the cosine and the weight
+    vec3 indirect;  // of the environment
+    float distance_m;
+    float pdf;    // 1/sr with which it was drawn; 0: nothing
+    bool only;    // no other way draws it
+    bool blocked;  // by what is in the way
+};
+const Draw kNoDraw = Draw(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), 0.0, 0.0, false, false);
+
+Draw from_arrival(Arrival a, float probability, bool shadows) {
+    return Draw(a.l, a.light, vec3(0.0), a.distance_m, a.pdf * probability, a.delta, shadows);
+}
+
+Draw environment_draw(Receiver r, uint index, uint seed, ivec2 size) {
+    Draw d = kNoDraw;
+    vec3 local = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), size, d.pdf);
+    d.l = from_environment(local);
+    d.distance_m = kNoEnd;
+    d.blocked = true;
+    // What the surface faces away from weighs nothing: its texels need no reading.
+    if (dot(r.p.g.normal, d.l) > 0.0) d.indirect = environment_luminance_nit(local, size);
+    return d;
+}
+
+Draw emitter_draw(Receiver r, uint index, uint seed) {
+    float probability;
+    uint item = sample_emitter(r.p.position, r.p.g.normal, sobol_owen_pair(index, kPairChoice, seed).y, probability);
+    if (probability <= 0.0) return kNoDraw;
+    uvec4 what = emitter_item(item);
+    return from_arrival(sample_item(what, sobol_owen_pair(index, kPairEmitter, seed), r.p.position), probability,
+                        what.z != 0u);
+}
+
+Draw asked_draw(Receiver r, uint k, uint index, uint seed) {
+    uvec4 what = table_quads[asked_first() + k];
+    Light light = light_at(what.x);
+    if (type_of(light) == kLightSun) {
+        return from_arrival(sample_sun_light(light, sobol_owen_pair(index, kPairAsked + k, seed)), 1.0, what.y != 0u);
+    }
+    return from_arrival(only_arrival(light, r.p.position), 1.0, what.y != 0u);
+}
+
+// What arrives along a direction that the BSDF drew with density pdf, weighted: every emitter that the ray enters, as none
+// is in the way of another.
+vec3 emitters_along(Receiver r, vec3 l, float pdf) {
+    vec3 sum = vec3(0.0);
+    vec3 position = r.p.position;
+    vec3 inverse = ray_inverse(l);
+    uint node = 0u;
+    uint count = emitter_node_count();
+    while (node < count) {
+        uvec4 low = emitter_low(node);
+        uvec4 high = emitter_high(node);
+        if (!meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), position, inverse, kNoEnd)) {
+            node = low.w;
+            continue;
         }
-        if (kStrategy != kStrategyLight) {
-            float choice = sobol_owen_pair(index, kPairLobe, seed).x;
-            draw.l = sample_bsdf(lobes, g.surface, g.normal, tangent, bitangent, g.coat_normal, p.v, choice,
-                                 sobol_owen_pair(index, kPairBsdf, seed));
-            if (dot(g.normal, draw.l) > 0.0) {
-                vec3 d = to_environment(draw.l);
-                draw.luminance_nit = environment_luminance_nit(d, size);
-                draw.pdf_light = environment_pdf(environment_texel(d, size), size);
-                draw.pdf_bsdf =
-                    pdf_bsdf(lobes, g.surface, g.normal, tangent, bitangent, g.coat_normal, p.v, draw.l);
-                add_draw(p, draw, false, scale, lit.indirect_diffuse, lit.indirect_specular);
-            }
+        ++node;
+        if ((high.w & kEmitterLeaf) == 0u) continue;
+        uint item = high.w & kEmitterFirst;
+        uvec4 what = emitter_item(item);
+        Arrival a = item_from(what, position, l);
+        if (!(a.pdf > 0.0) || max_component(a.light) <= 0.0) continue;
+        float weight = 1.0;
+        if (kStrategy == kStrategyBoth) {
+            weight = power_heuristic(pdf, a.pdf * emitter_probability(position, r.p.g.normal, item));
+        }
+        if (kCastsRays && what.z != 0u) weight *= visible(r.rays, l, a.distance_m);
+        sum += a.light * weight;
+    }
+    return sum;
+}
+
+// The suns in a direction that the BSDF drew: first those that cast shadows, then the others.
+void suns_along(vec3 l, float pdf, out vec3 shadowed, out vec3 unshadowed) {
+    shadowed = unshadowed = vec3(0.0);
+    for (uint k = 0u; k < asked_count(); ++k) {
+        uvec4 what = table_quads[asked_first() + k];
+        Light light = light_at(what.x);
+        if (type_of(light) != kLightSun) continue;
+        Arrival a = sun_from(light, l);
+        if (!(a.pdf > 0.0)) continue;
+        vec3 weighted = a.light * (kStrategy == kStrategyBoth ? power_heuristic(pdf, a.pdf) : 1.0);
+        if (what.y != 0u) {
+            shadowed += weighted;
+        } else {
+            unshadowed += weighted;
         }
     }
 }
 
-// One sample of the integrals at a surface point; its mean over frame.random.x converges to them. A light with extent
-// is added as the environment is: a function that draws from its shape, its density for what the BSDF drew, and
-// add_draw for both.
-Lit integrate(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
-    SurfacePoint p = surface_point(g, position, v);
-    Lit lit = kNoLight;
-    if (kHasLights) {
-        for (int i = 0; i < frame.size.z; ++i) add_punctual_light(lights[i], p, lit);
+// Adds a draw that a light made, or (by_bsdf) that the BSDF made: then it sees the sky, suns and emitters of its own.
+void add_draw(Receiver r, Draw d, bool by_bsdf, float scale, ivec2 size, inout Lit lit) {
+    float NoL = dot(r.p.g.normal, d.l);
+    if (NoL <= 0.0) return;
+    float pdf_lobes = 0.0;
+    if (by_bsdf || (kStrategy == kStrategyBoth && !d.only)) {
+        GBuffer g = r.p.g;
+        pdf_lobes = pdf_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v, d.l);
     }
-    if (kHasEnvironment) integrate_environment(p, pixel, lit);
+    vec3 unblocked = vec3(0.0);
+    if (by_bsdf) {
+        d.pdf = pdf_lobes;
+        if (!(d.pdf > 0.0)) return;
+        if (kHasEmitters) unblocked = emitters_along(r, d.l, d.pdf);
+        if (kHasAsked) {
+            vec3 suns;
+            suns_along(d.l, d.pdf, d.direct, suns);
+            unblocked += suns;
+        }
+        if (kHasEnvironment) {
+            vec3 local = to_environment(d.l);
+            float other = environment_pdf(environment_texel(local, size), size);
+            d.indirect = environment_luminance_nit(local, size) *
+                         (kStrategy == kStrategyBoth ? power_heuristic(d.pdf, other) : 1.0);
+        }
+    }
+    if (!(d.pdf > 0.0)) return;
+    float weight = scale / d.pdf;
+    if (!by_bsdf && kStrategy == kStrategyBoth && !d.only) weight *= power_heuristic(d.pdf, pdf_lobes);
+    if (kCastsRays && d.blocked && max_component(d.direct + d.indirect) > 0.0) {
+        float through = visible(r.rays, d.l, d.distance_m);
+        d.direct *= through;
+        d.indirect *= through;
+    }
+    d.direct += unblocked;
+    if (max_component(d.direct + d.indirect) <= 0.0) return;
+    vec3 diffuse;
+    vec3 specular;
+    evaluate(r.p, d.l, NoL, diffuse, specular);
+    weight *= NoL;
+    lit.direct_diffuse += diffuse * (d.direct * weight);
+    lit.direct_specular += specular * (d.direct * weight);
+    lit.indirect_diffuse += diffuse * (d.indirect * weight);
+    lit.indirect_specular += specular * (d.indirect * weight);
+}
+
+// One sample of the integrals at a surface point; its mean over frame.random.x converges to them. Every draw ends in the
+// same code, once in the shader: environment, emitters and BSDF in turn, and before them the lights that are asked.
+Lit integrate(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
+    Receiver r = receiver(surface_point(g, position, v));
+    Lit lit = kNoLight;
+    uint seed = pixel_seed(pixel, frame.random.y);
+    ivec2 size = textureSize(background_map, 0);
+    uint draws = frame.random.z;
+    uint asked = kHasAsked ? asked_count() * draws : 0u;
+    float scale = 1.0 / float(draws);
+    for (uint step = 0u; step < asked + 3u * draws; ++step) {
+        uint way = step < asked ? 3u : (step - asked) % 3u;
+        uint index = frame.random.x * draws + (step < asked ? step % draws : (step - asked) / 3u);
+        Draw d = kNoDraw;
+        if (kHasAsked && way == 3u) {
+            d = asked_draw(r, step / draws, index, seed);
+            // Of what is exact once is enough.
+            if (d.only && step % draws != 0u) continue;
+            if (d.only) d.pdf *= scale;
+        }
+        if (kHasEnvironment && kStrategy != kStrategyBsdf && way == 0u) d = environment_draw(r, index, seed, size);
+        if (kHasEmitters && way == 1u) d = emitter_draw(r, index, seed);
+        if (way != 2u) {
+            if (!d.only && kStrategy == kStrategyBsdf) continue;
+        } else {
+            if (kStrategy == kStrategyLight) continue;
+            float choice = sobol_owen_pair(index, kPairChoice, seed).x;
+            d.l = sample_bsdf(r.lobes, g.surface, r.p.g.normal, r.tangent, r.bitangent, r.p.g.coat_normal, r.p.v, choice,
+                              sobol_owen_pair(index, kPairBsdf, seed));
+            d.distance_m = kNoEnd;
+            d.blocked = true;
+        }
+        add_draw(r, d, way == 2u, scale, size, lit);
+    }
     return lit;
 }
 

@@ -1,6 +1,7 @@
 // The body of the lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all light is
 // summed in 32 bit, and the result is written pre-exposed (Frostbite 5.2). Includers say how a surface is lit:
-// light_surface(), LIGHT_FORMAT of the light buffer and kLightLimit, the largest number that fits it.
+// light_surface(), LIGHT_FORMAT of the light buffer, kLightLimit, the largest number that fits it, and whether the surface's
+// position is needed (kNeedsPosition).
 #ifndef CANDELA_LIGHT_PIXELS_GLSL
 #define CANDELA_LIGHT_PIXELS_GLSL
 
@@ -74,7 +75,7 @@ void main() {
 
     GBuffer g = unpack_gbuffer(words);
     if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
-    vec3 position = kHasLights ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
+    vec3 position = kNeedsPosition ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
     Lit lit = light_surface(g, position, -normalize(pixel_ray(pixel)), uvec2(pixel));
     vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
     vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);

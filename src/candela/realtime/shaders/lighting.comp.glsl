@@ -6,6 +6,7 @@
 
 #define LIGHT_FORMAT rgba16f
 const float kLightLimit = 65504.0;
+const bool kNeedsPosition = kHasLights;
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return shade(g, position, v, kHasLights ? lights_of_tile(pixel / 8u) : 0u); }
 
