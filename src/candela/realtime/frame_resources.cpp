@@ -20,14 +20,18 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.emissive),
             bits(frame.write_aovs),
             bits(variant.forward),
-            bits(frame.integrate.value_or(Strategy::both))};
+            bits(frame.integrate.value_or(Strategy::both)),
+            frame.shadow_kinds,
+            bits(p.shadow_filter),
+            bits(p.contact_shadows)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
     return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -37,7 +41,9 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.specular.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.irradiance.view(), frame.clamp.get()),
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
-            gpu::bind_buffer(frame.environment_distribution)};
+            gpu::bind_buffer(frame.environment_distribution),
+            gpu::bind_buffer(frame.shadow_records),
+            gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get())};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -47,6 +53,8 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.environment.irradiance, gpu::Use::sampled);
     commands.use(frame.environment.background, gpu::Use::sampled);
     commands.use(frame.environment_distribution, gpu::Use::storage_read);
+    commands.use(frame.shadow_records, gpu::Use::storage_read);
+    commands.use(frame.shadow_atlas, gpu::Use::sampled);
 }
 
 }  // namespace candela::realtime

@@ -110,15 +110,6 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
     return image;
 }
 
-/// std430 layout of a light in shaders/lights.glsl.
-struct LightBlock {
-    glm::vec4 position_range;
-    glm::vec4 color_type;
-    glm::vec4 direction_a;
-    glm::vec4 right_b;
-    glm::ivec4 links;
-};
-
 /// What the types keep in the fourth component of the direction and of `right`.
 glm::vec2 type_numbers(const scene::Light& light) {
     switch (light.type) {
@@ -172,6 +163,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.index_count = static_cast<std::uint32_t>(p.indices.size());
             draw.vertex_offset = static_cast<std::int32_t>(all_vertices.size());
             draw.material = p.material;
+            draw.world_bounds = p.bounds;
             draw.world_center = p.bounds.empty() ? glm::vec3(0.0f) : 0.5f * (p.bounds.min + p.bounds.max);
             const scene::Material& material = scene.materials[p.material];
             draw.features = material_features(material);
@@ -192,6 +184,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.instance = i;
             draw.world = instance.world;
             draw.world_center = glm::vec3(instance.world * glm::vec4(draw.world_center, 1.0f));
+            draw.world_bounds = transformed(draw.world_bounds, instance.world);
             draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
             if (!draw.blended) {
                 any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
@@ -262,11 +255,17 @@ void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& comman
 }
 
 void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene) {
-    std::vector<LightBlock> blocks;
-    for (const scene::Light& light : scene.lights) blocks.push_back(light_block(light));
-    light_count = static_cast<std::uint32_t>(blocks.size());
-    if (blocks.empty()) blocks.emplace_back();
-    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(blocks)),
+    for (const scene::Light& light : scene.lights) light_blocks_.push_back(light_block(light));
+    light_count = static_cast<std::uint32_t>(light_blocks_.size());
+    if (light_blocks_.empty()) light_blocks_.emplace_back();
+    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(light_blocks_)),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+}
+
+void GpuScene::link_shadows(const gpu::Device& device, gpu::Commands& commands,
+                            std::span<const int> records) {
+    for (std::size_t i = 0; i < records.size(); ++i) light_blocks_[i].links.z = records[i];
+    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(light_blocks_)),
                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
@@ -56,9 +57,19 @@ struct Draw {
     std::uint32_t features = 0;
     glm::mat4 world{1.0f};
     glm::vec3 world_center{0.0f};  ///< for sorting
+    scene::Aabb world_bounds;
     bool mirrored = false;
     bool blended = false;
     std::uint32_t blended_surface = 0;  ///< into GpuScene::blended_surfaces
+};
+
+/// std430 layout of a light in shaders/lights.glsl.
+struct LightBlock {
+    glm::vec4 position_range;
+    glm::vec4 color_type;
+    glm::vec4 direction_a;
+    glm::vec4 right_b;
+    glm::ivec4 links;
 };
 
 /// What sorting the triangles of a blended surface needs on the host.
@@ -71,6 +82,9 @@ struct BlendedSurface {
 class GpuScene {
   public:
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+
+    /// Tells the shaders where each light's shadow is: first record by index into Scene::lights, -1: none. Submits.
+    void link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> records);
 
     gpu::Buffer vertices;
     gpu::Buffer indices;
@@ -97,6 +111,7 @@ class GpuScene {
         std::uint32_t image = 0;    // into images_
         std::uint32_t sampler = 0;  // into samplers_
     };
+    std::vector<LightBlock> light_blocks_;
     std::vector<gpu::Image> images_;
     std::vector<gpu::Owned<VkSampler>> samplers_;
     std::vector<std::array<TextureSlot, kMaterialTextures>> material_textures_;

@@ -31,7 +31,9 @@ std::vector<Slot> slots() {
             slot("energy", &Profile::energy, {"none", "compensated"}),
             slot("dfg", &Profile::dfg, {"table", "env-brdf-approx"}),
             slot("reflection", &Profile::reflection, {"mirror-direction", "dominant-direction"}),
-            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"})};
+            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"}),
+            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
+            slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-space"})};
 }
 
 template <class Names>
@@ -64,7 +66,8 @@ Profile ue4() {
             .energy = EnergyTechnique::none,
             .dfg = DfgTechnique::table,
             .reflection = ReflectionTechnique::mirror_direction,
-            .specular_aa = SpecularAaTechnique::none};
+            .specular_aa = SpecularAaTechnique::none,
+            .shadow_filter = ShadowFilterTechnique::pcf};
 }
 
 Profile mobile() {

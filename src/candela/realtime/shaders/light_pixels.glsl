@@ -1,6 +1,7 @@
 // The body of the lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all light is
 // summed in 32 bit, and the result is written pre-exposed (Frostbite 5.2). Includers say how a surface is lit:
-// light_surface(), LIGHT_FORMAT of the light buffer and kLightLimit, the largest number that fits it.
+// light_surface(), defined after this file because it may read the images here, LIGHT_FORMAT of the light buffer and
+// kLightLimit, the largest number that fits it.
 #ifndef CANDELA_LIGHT_PIXELS_GLSL
 #define CANDELA_LIGHT_PIXELS_GLSL
 
@@ -9,19 +10,21 @@ layout(constant_id = 11) const uint kShadingClass = 1u;
 layout(constant_id = 12) const bool kHasEmissive = false;
 layout(constant_id = 13) const bool kWriteAovs = false;
 
-layout(set = 0, binding = 7) uniform usampler2D gbuffer_image;
-layout(set = 0, binding = 8) uniform usampler2D layers_image;
-layout(set = 0, binding = 9) uniform sampler2D depth_image;
-layout(set = 0, binding = 10, LIGHT_FORMAT) uniform image2D light_image;
-layout(set = 0, binding = 11, std430) readonly buffer Tiles {
+layout(set = 0, binding = kShadingBindings + 0) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = kShadingBindings + 1) uniform usampler2D layers_image;
+layout(set = 0, binding = kShadingBindings + 2) uniform sampler2D depth_image;
+layout(set = 0, binding = kShadingBindings + 3, LIGHT_FORMAT) uniform image2D light_image;
+layout(set = 0, binding = kShadingBindings + 4, std430) readonly buffer Tiles {
     uvec4 dispatch[kClassCount];
     uint list[];
 } tiles;
-layout(set = 0, binding = 12, rgba32f) writeonly uniform image2D direct_diffuse_image;
-layout(set = 0, binding = 13, rgba32f) writeonly uniform image2D direct_specular_image;
-layout(set = 0, binding = 14, rgba32f) writeonly uniform image2D indirect_diffuse_image;
-layout(set = 0, binding = 15, rgba32f) writeonly uniform image2D indirect_specular_image;
-layout(set = 0, binding = 16, rgba32f) writeonly uniform image2D emissive_image;
+layout(set = 0, binding = kShadingBindings + 5, rgba32f) writeonly uniform image2D direct_diffuse_image;
+layout(set = 0, binding = kShadingBindings + 6, rgba32f) writeonly uniform image2D direct_specular_image;
+layout(set = 0, binding = kShadingBindings + 7, rgba32f) writeonly uniform image2D indirect_diffuse_image;
+layout(set = 0, binding = kShadingBindings + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
+layout(set = 0, binding = kShadingBindings + 9, rgba32f) writeonly uniform image2D emissive_image;
+
+Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel);
 
 void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
     imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));

@@ -34,7 +34,7 @@ const int kLightLimbDarkening = 2;
 // Direction to the light and the illuminance per channel (lx) that it gives on a plane facing it.
 vec3 perpendicular_illuminance(Light light, vec3 position, out vec3 l) {
     int type = int(light.color_type.w);
-    if (type == kLightDirectional) {
+    if (type == kLightDirectional || type == kLightSun) {
         l = -light.direction_a.xyz;
         return light.color_type.rgb;
     }

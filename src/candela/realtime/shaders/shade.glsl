@@ -5,6 +5,7 @@
 
 #include "gbuffer.glsl"
 #include "lights.glsl"
+#include "shadows.glsl"
 #include "dfg.glsl"
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
@@ -30,6 +31,8 @@ layout(set = 0, binding = 2) uniform sampler2D dfg_table;
 layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
 layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
 layout(set = 0, binding = 5) uniform sampler2D background_map;
+// Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
+const int kShadingBindings = 9;
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -57,6 +60,8 @@ struct SurfacePoint {
     vec3 bitangent;
     float NoV;
     vec4 dfg;
+    vec3 facet;  // unit normal of the surface itself, without normal maps; for shadows
+    ivec2 pixel;
 };
 
 SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
@@ -74,6 +79,8 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     p.NoV = clamp(dot(p.g.normal, v), 1.0e-4, 1.0);
     p.dfg = directional_albedo(p.NoV, g.surface.perceptual_roughness);
     p.prepared = prepare_surface(g.surface, techniques(), p.NoV, p.dfg);
+    p.facet = p.g.normal;
+    p.pixel = ivec2(0);
     return p;
 }
 
@@ -99,6 +106,9 @@ void add_punctual_light(Light light, SurfacePoint p, inout Lit lit) {
     vec3 specular;
     evaluate(p, l, NoL, diffuse, specular);
     vec3 illuminance_lx = perpendicular_lx * NoL;
+    if (kShadowKinds != 0u && max_component(illuminance_lx) > 0.0) {
+        illuminance_lx *= light_visibility(light, p.position, p.facet, l, p.pixel);
+    }
     lit.direct_diffuse += diffuse * illuminance_lx;
     lit.direct_specular += specular * illuminance_lx;
 }
@@ -137,8 +147,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
                             w.sheen * irradiance_over_pi * g.occlusion;
 }
 
-Lit shade(GBuffer g, vec3 position, vec3 v) {
+// facet: unit normal of the surface without normal maps, on the viewer's side; read only where lights have shadows.
+Lit shade(GBuffer g, vec3 position, vec3 v, vec3 facet, ivec2 pixel) {
     SurfacePoint p = surface_point(g, position, v);
+    p.facet = facet;
+    p.pixel = pixel;
     Lit lit = kNoLight;
     if (kHasLights) {
         for (int i = 0; i < frame.size.z; ++i) add_punctual_light(lights[i], p, lit);
