@@ -5,6 +5,7 @@
 
 #include "candela/realtime/mesh_pipelines.hpp"
 #include "candela_shaders/shadow_frag.hpp"
+#include "candela_shaders/shadow_masked_frag.hpp"
 #include "candela_shaders/shadow_vert.hpp"
 
 namespace candela::realtime {
@@ -67,7 +68,6 @@ ShadowPass::ShadowPass(const gpu::Device& device, const FrameResources& frame, c
 void ShadowPass::make_pipelines(const FrameResources& frame, const GpuScene& gpu_scene) {
     gpu::GraphicsDesc desc;
     desc.vertex = shaders::shadow_vert;
-    desc.fragment = shaders::shadow_frag;
     describe_vertices(desc);
     desc.depth_format = kDepthFormat;
     // A surface stops light on both of its sides.
@@ -79,6 +79,7 @@ void ShadowPass::make_pipelines(const FrameResources& frame, const GpuScene& gpu
             ShadeVariant variant;
             variant.features = features;
             desc.constants = specialization(frame, variant);
+            desc.fragment = features ? shaders::shadow_masked_frag : shaders::shadow_frag;
             pipelines_.emplace(features, gpu::create_graphics_pipeline(*device_, desc, layout_));
         }
         if (!features) continue;

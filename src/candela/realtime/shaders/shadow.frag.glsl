@@ -1,7 +1,3 @@
 #version 460
-#extension GL_GOOGLE_include_directive : require
-#include "base_color.glsl"
-
-void main() {
-    if (has(kAlphaMask) && masked_out(base_color_and_alpha())) discard;
-}
+// Depth is all there is. A shader of its own, so that surfaces without a mask need no material.
+void main() {}
