@@ -11,6 +11,7 @@
 #include "candela/realtime/renderer.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
+#include "shadow_option.hpp"
 
 namespace candela::app {
 
@@ -38,6 +39,7 @@ struct JobOptions {
     std::optional<float> exposure_compensation;
     std::string profile = "best";
     std::string tonemap = "neutral";
+    ShadowRequestOptions shadows;
     std::string device = "auto";
     bool validation = false;
     std::uint32_t seed = 0;

@@ -16,7 +16,7 @@ struct PathModeOptions {
     std::optional<double> target_error;
     std::optional<int> max_bounces;
     bool direct_only = false;
-    std::string shadows = "ray";
+    bool shadows = true;
     bool furnace = false;
     bool depth_of_field = false;
     std::optional<float> focus_m;

@@ -43,7 +43,10 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
     info.samples = options.samples.value_or(default_samples(integrate));
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
     FrameModeStill frame = render_on_device(
-        device, job, {integrate, info.samples, options.job.seed, !options.files.aovs.empty()});
+        device, job,
+        {integrate, info.samples, options.job.seed, !options.files.aovs.empty(),
+         shadows_of(options.job.shadows, options.mode) == Shadows::map, options.job.shadows.atlas_texels});
+    warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
     seconds["setup"] = frame.setup_s;
     seconds["render"] = frame.render_s;
     if (options.job.validation) throw_validation(device);
@@ -70,10 +73,11 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
 }
 
 void check_mode(const RenderOptions& options) {
+    (void)shadows_of(options.job.shadows, options.mode);
     if (options.mode == "path") return;
     if (any_path_option(options.path)) {
         throw Error(Fault::usage,
-                    "--time-limit, --target-error, --max-bounces, --direct-only, --shadows, --furnace, "
+                    "--time-limit, --target-error, --max-bounces, --direct-only, --furnace, "
                     "--depth-of-field, --focus-m and --checkpoint are the path tracer's",
                     "--mode " + options.mode, "--mode path");
     }
@@ -104,6 +108,7 @@ int render(RenderOptions options) {
     bool finished = true;
     if (options.mode == "path") {
         options.path.samples = options.samples;
+        options.path.shadows = shadows_of(options.job.shadows, options.mode) == Shadows::ray;
         const auto draw = std::chrono::steady_clock::now();
         PathModePicture picture = render_by_path(job, options.job, options.path, options.files);
         if (!picture.writes) return 0;

@@ -66,7 +66,7 @@ struct FrameResources {
     bool write_aovs = false;
     bool has_environment = false;
     std::uint32_t shadow_kinds = 0;  ///< bits 1 << ShadowKind; 0: every light shines through everything
-    bool all_targets = false;  ///< the G-buffer pass also writes emission, layers and ids
+    bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible
     gpu::Image gbuffer;

@@ -83,7 +83,8 @@ class GpuScene {
   public:
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
 
-    /// Tells the shaders where each light's shadow is: first record by index into Scene::lights, -1: none. Submits.
+    /// Tells the shaders where each light's shadow is: first record by index into Scene::lights, -1: none.
+    /// Submits.
     void link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> records);
 
     gpu::Buffer vertices;

@@ -13,7 +13,7 @@
 namespace candela::realtime {
 
 struct ShadowOptions {
-    bool maps = true;                    ///< lights that cast shadows have shadow maps; not when integrating
+    bool maps = true;                   ///< lights that cast shadows have shadow maps; not when integrating
     std::uint32_t atlas_texels = 4096;  ///< most that the atlas may have a side, 4 bytes each
 };
 

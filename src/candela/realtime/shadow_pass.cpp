@@ -137,8 +137,7 @@ void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScen
     std::size_t next = 0;
     for (const LightShadow& shadow : plan_.lights) {
         if (shadow.kind == ShadowKind::cascades) {
-            const LightViews views =
-                cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_);
+            const LightViews views = cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_);
             std::copy(views.records.begin(), views.records.end(),
                       records_.begin() + static_cast<std::ptrdiff_t>(next));
             cascades.insert(cascades.end(), views.views.begin(), views.views.end());

@@ -7,17 +7,17 @@
 
 namespace candela::realtime {
 
-/// Pass 0: the shadow atlas. Every light that casts shadows draws the scene's opaque and masked surfaces as it sees
-/// them; blended ones let all light through. What does not follow the camera is drawn once.
+/// Pass 0: the shadow atlas. Every light that casts shadows draws the scene's opaque and masked surfaces as
+/// it sees them; blended ones let all light through. What does not follow the camera is drawn once.
 class ShadowPass {
   public:
     ShadowPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& gpu_scene,
                const scene::Scene& scene, std::uint32_t atlas_texels);
 
-    /// Decides what has to be drawn for this camera, and tells the shaders. Between submissions. `moving`: a frame of
-    /// a camera that may have moved draws its cascades whether it did or not.
-    void prepare(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene, const scene::Camera& camera,
-                 bool moving);
+    /// Decides what has to be drawn for this camera, and tells the shaders. Between submissions. `moving`: a
+    /// frame of a camera that may have moved draws its cascades whether it did or not.
+    void prepare(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene,
+                 const scene::Camera& camera, bool moving);
     void record(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene);
 
     /// Lights that should cast shadows but found no room in the atlas.
@@ -44,7 +44,8 @@ class ShadowPass {
     gpu::DescriptorAllocator descriptors_;
 };
 
-/// Bits of the specialization constant kShadowKinds: 1 << ShadowKind for each kind that the scene's lights need.
+/// Bits of the specialization constant kShadowKinds: 1 << ShadowKind for each kind that the scene's lights
+/// need.
 [[nodiscard]] std::uint32_t shadow_kind_bits(const scene::Scene& scene);
 
 }  // namespace candela::realtime

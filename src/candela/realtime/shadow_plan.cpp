@@ -30,8 +30,8 @@ float reach_m(const scene::Light& light, const scene::Aabb& bounds) {
     return std::max(std::min(light.range_m, farthest), 1e-3f);
 }
 
-/// How much of the picture's height the light's reach covers: 1 when the camera is inside it, 0 when it is all
-/// behind the camera.
+/// How much of the picture's height the light's reach covers: 1 when the camera is inside it, 0 when it is
+/// all behind the camera.
 float screen_coverage(const scene::Light& light, float reach, const scene::Camera& camera) {
     const glm::vec3 way = light.position - glm::vec3(camera.world[3]);
     const float distance = glm::length(way);
@@ -44,8 +44,7 @@ float screen_coverage(const scene::Light& light, float reach, const scene::Camer
 }
 
 float luminous_intensity_cd(const scene::Light& light) {
-    const float strength =
-        light.intensity * std::max({light.color.r, light.color.g, light.color.b, 0.0f});
+    const float strength = light.intensity * std::max({light.color.r, light.color.g, light.color.b, 0.0f});
     constexpr float pi = 3.14159265f;
     switch (light.type) {
         case scene::LightType::sphere:
@@ -102,9 +101,9 @@ std::uint32_t shadow_tiles(ShadowKind kind) {
     }
 }
 
-std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& lights,
-                                           const scene::Aabb& bounds, const scene::Camera& camera,
-                                           std::uint32_t width, std::uint32_t height) {
+std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& lights, const scene::Aabb& bounds,
+                                           const scene::Camera& camera, std::uint32_t width,
+                                           std::uint32_t height) {
     std::vector<ShadowRequest> requests;
     if (bounds.empty()) return requests;
     const auto pixels = static_cast<float>(std::max(width, height));

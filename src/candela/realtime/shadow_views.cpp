@@ -50,7 +50,8 @@ glm::vec4 extent_of(const scene::Light& light) {
         case scene::LightType::line:
             return of(light.half_width_m, 0.0f, ShadowShape::tube);
         case scene::LightType::tube:
-            // The rectangle with the capsule's own outline area: half circles of radius r are as wide as pi r / 4.
+            // The rectangle with the capsule's own outline area: half circles of radius r are as wide as pi r
+            // / 4.
             return of(light.half_width_m + 0.785398f * light.radius_m, light.radius_m, ShadowShape::tube);
         default:
             return of(0.0f, 0.0f, ShadowShape::point);
@@ -72,8 +73,8 @@ LightViews pyramid(const scene::Light& light, const AtlasTile& tile) {
     } else if (light.type == scene::LightType::frustum) {
         tangent = {std::tan(0.5f * light.horizontal_angle_rad), std::tan(0.5f * light.vertical_angle_rad)};
     } else {
-        // The centre of projection moves back until the pyramid holds the light (Frostbite 4.10.4, Figure 69);
-        // what is behind the light's plane is in nobody's way.
+        // The centre of projection moves back until the pyramid holds the light (Frostbite 4.10.4, Figure
+        // 69); what is behind the light's plane is in nobody's way.
         const float size = light.type == scene::LightType::disk
                                ? light.radius_m
                                : std::max(light.half_width_m, light.half_height_m);
@@ -114,8 +115,8 @@ LightViews cube(const scene::Light& light, const LightShadow& shadow) {
         const std::uint32_t corner = tile.x / kShadowTileUnit | tile.y / kShadowTileUnit << 8;
         r.faces[static_cast<int>(axis)] |= corner << (16 * (face & 1));
         const glm::vec4 depth = (face & 1) ? -axes[axis] : axes[axis];
-        out.views.push_back({perspective(axes[(axis + 1) % 3], axes[(axis + 2) % 3], depth, glm::vec2(1.0f), near),
-                             tile});
+        out.views.push_back(
+            {perspective(axes[(axis + 1) % 3], axes[(axis + 2) % 3], depth, glm::vec2(1.0f), near), tile});
     }
     out.records.push_back(r);
     return out;
