@@ -64,9 +64,11 @@ Difference difference(const Pictures& p) {
 
 /// Straight down on the ground from a parallel camera: pixel (x, y) shows x in [-half_m, half_m].
 scene::Camera map_camera(float half_m, float height_m = 5.0f) {
-    scene::Camera c = scene::look_at({0.0f, height_m, 0.0f}, {0.0f, 0.0f, 0.0f}, 0.6f);
+    scene::Camera c;
+    c.world = glm::mat4({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0.0f, height_m, 0.0f, 1.0f});
     c.projection = scene::Projection::orthographic;
     c.xmag_m = c.ymag_m = half_m;
+    c.zfar_m = 10.0f;
     return c;
 }
 
@@ -111,13 +113,13 @@ TEST(Shadow, NothingLeaksIntoAClosedBox) {
     for (const scene::Light& light : one_of_each()) {
         scene::Scene s;
         s.materials.push_back(grey(0.5f));
-        // Six walls of 5 cm about a room of 1 m, seen from inside.
+        // Six walls of 15 cm about a room of 1 m, seen from inside.
         for (int axis = 0; axis < 3; ++axis) {
             for (const float side : {-1.0f, 1.0f}) {
-                glm::vec3 half(0.55f);
-                half[axis] = 0.025f;
+                glm::vec3 half(0.65f);
+                half[axis] = 0.075f;
                 glm::vec3 middle(0.0f);
-                middle[axis] = side * 0.525f;
+                middle[axis] = side * 0.575f;
                 place(s, box(half), at(middle));
             }
         }

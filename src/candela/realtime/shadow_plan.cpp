@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t kLargestTile = 2048;
 constexpr std::uint32_t kLargestFace = 1024;
+constexpr std::uint32_t kSmallestWanted = 512;  ///< a small picture still needs to see what touches
 
 /// A pyramid with a wider half angle than 60 degrees wastes its texels on the middle.
 constexpr float kWidestPyramid_rad = 1.0472f;
@@ -119,7 +120,7 @@ std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& ligh
             r.importance = coverage * luminous_intensity_cd(light) / (half_m * half_m);
             texels = coverage * pixels * (r.kind == ShadowKind::cube ? 0.5f : 1.0f);
         }
-        r.size = std::clamp(nearest_power_of_two(texels), 4 * kShadowTileUnit,
+        r.size = std::clamp(nearest_power_of_two(texels), kSmallestWanted,
                             r.kind == ShadowKind::cube ? kLargestFace : kLargestTile);
         requests.push_back(r);
     }

@@ -14,7 +14,7 @@ Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
         float area2 = dot(across, across);
         if (area2 > 0.0) facet = across * ((dot(across, v) < 0.0 ? -1.0 : 1.0) * inversesqrt(area2));
     }
-    return shade(g, position, v, facet, ivec2(pixel));
+    return shade(g, position, v, vec4(facet, 0.0), ivec2(pixel));
 }
 
 #include "blended_surface.glsl"

@@ -60,7 +60,7 @@ struct SurfacePoint {
     vec3 bitangent;
     float NoV;
     vec4 dfg;
-    vec3 facet;  // unit normal of the surface itself, without normal maps; for shadows
+    vec4 facet;  // for shadows: unit normal of the surface itself, without normal maps; w: see light_visibility()
     ivec2 pixel;
 };
 
@@ -79,7 +79,7 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     p.NoV = clamp(dot(p.g.normal, v), 1.0e-4, 1.0);
     p.dfg = directional_albedo(p.NoV, g.surface.perceptual_roughness);
     p.prepared = prepare_surface(g.surface, techniques(), p.NoV, p.dfg);
-    p.facet = p.g.normal;
+    p.facet = vec4(p.g.normal, 0.0);
     p.pixel = ivec2(0);
     return p;
 }
@@ -147,8 +147,8 @@ void add_environment(SurfacePoint p, inout Lit lit) {
                             w.sheen * irradiance_over_pi * g.occlusion;
 }
 
-// facet: unit normal of the surface without normal maps, on the viewer's side; read only where lights have shadows.
-Lit shade(GBuffer g, vec3 position, vec3 v, vec3 facet, ivec2 pixel) {
+// facet: as light_visibility() has it, on the viewer's side; read only where lights have shadows.
+Lit shade(GBuffer g, vec3 position, vec3 v, vec4 facet, ivec2 pixel) {
     SurfacePoint p = surface_point(g, position, v);
     p.facet = facet;
     p.pixel = pixel;

@@ -58,6 +58,7 @@ struct Receiver {
     vec3 y;
     vec3 progress;     // its product with a way is the share of to_light that the way has covered
     float slack;       // m
+    float own;         // m: what is nearer is the receiver itself
 };
 
 // 0.5 and 1 / golden ratio, and what the two numbers of the plastic ratio are to the plane: fractions of multiples of them
@@ -126,7 +127,8 @@ bool in_the_way(Receiver receiver, vec3 at, vec2 jitter_texels, out float share)
     vec3 way = surface - receiver.point;
     share = dot(way, receiver.progress);
     float height = dot(way, receiver.normal);
-    return share > 0.0 && height > receiver.slack + kPlaneSlope * length(way);
+    float distance_m = length(way);
+    return share > 0.0 && height > receiver.slack + kPlaneSlope * distance_m && distance_m > receiver.own;
 }
 
 // Point i of the light, in units of x and y, from a Fibonacci spiral or lattice turned by the pixel's own numbers.
@@ -219,12 +221,17 @@ uint shadow_kind_of(int type, ShadowRecord r) {
     return r.faces.x + r.faces.y + r.faces.z == 0u ? kShadowPerspective : kShadowCube;
 }
 
-Receiver shadow_receiver(Light light, int type, ShadowRecord record, vec3 position_m, vec3 normal, vec3 l) {
+Receiver shadow_receiver(Light light, int type, ShadowRecord record, vec3 position_m, vec4 facet, vec3 l) {
     Receiver r;
     r.record = record;
     r.kind = shadow_kind_of(type, record);
     r.point = to_frame(record, position_m) + vec3(record.right.w, record.up.w, record.forward.w);
-    r.normal = to_frame(record, normal);
+    // A facet that faces away from a light that its smooth normal sees: the plane is then the light's horizon, and what
+    // little of the mesh is beyond it does not count (the shadow terminator).
+    float cosine = dot(facet.xyz, l);
+    bool turned_away = cosine < 0.02;
+    r.own = turned_away ? facet.w : 0.0;
+    r.normal = to_frame(record, turned_away && facet.w > 0.0 ? normalize(facet.xyz + (0.02 - cosine) * l) : facet.xyz);
     vec3 x = light.right_b.xyz;
     vec3 y = cross(light.right_b.xyz, light.direction_a.xyz);
     int shape = int(record.extent.z);
@@ -250,15 +257,16 @@ Receiver shadow_receiver(Light light, int type, ShadowRecord record, vec3 positi
     return r;
 }
 
-// Share of the light's illuminance that arrives. normal: of the facet that the pixel shows, unit; l: unit, to the light's
-// centre.
-float light_visibility(Light light, vec3 position_m, vec3 normal, vec3 l, ivec2 pixel) {
+// Share of the light's illuminance that arrives. facet: unit normal of the facet that the pixel shows, without normal maps
+// and interpolation; w: m over which facets of the same smooth surface may be in each other's way. l: unit, to the
+// light's centre.
+float light_visibility(Light light, vec3 position_m, vec4 facet, vec3 l, ivec2 pixel) {
     int first = light.links.z;
     if (kShadowKinds == 0u || first < 0) return 1.0;
     int type = int(light.color_type.w);
     bool cascades = (kShadowKinds & kShadowCascades) != 0u && (type == kLightDirectional || type == kLightSun);
     if (cascades) first = choose_cascade(first, position_m, pixel);
-    Receiver r = shadow_receiver(light, type, shadow_records[first], position_m, normal, l);
+    Receiver r = shadow_receiver(light, type, shadow_records[first], position_m, facet, l);
     if (r.kind == kShadowPerspective && r.point.z <= r.record.numbers.y) return 1.0;
     int shape = int(r.record.extent.z);
     if (kShadowFilter == kFilterPcss && shape != kShapePoint) {
