@@ -133,9 +133,9 @@ SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job
     const bool shadows = !integrate && shadows_of(options.job.shadows, "realtime") == Shadows::map;
     return {name, [job, options, integrate, name, shadows](const gpu::Device& device) {
                 const std::uint32_t samples = integrate ? options.integrate_samples : options.samples;
-                const FrameModeStill frame =
-                    render_on_device(device, *job, {integrate, samples, options.job.seed, false, shadows,
-                                                    options.job.shadows.atlas_texels});
+                const FrameModeStill frame = render_on_device(
+                    device, *job,
+                    {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels});
                 warn_of_unshadowed(frame.unshadowed_lights, job->diagnostics);
                 return named(name, integrate ? "integrate" : "realtime", frame.still, *job,
                              device_line(device.info()), samples, options.job.seed);

@@ -243,8 +243,8 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
 }
 
 bool any_path_option(const PathModeOptions& o) {
-    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only ||
-           o.furnace || o.depth_of_field || o.focus_m || !o.checkpoint.empty();
+    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.furnace ||
+           o.depth_of_field || o.focus_m || !o.checkpoint.empty();
 }
 
 PathModePicture render_by_path(Job& job, const JobOptions& options, const PathModeOptions& path,

@@ -17,9 +17,9 @@ struct ShadowRecord {
     glm::vec4 texels;   ///< xy: per unit of x/z (of x for cascades); zw: centre of the tile, or half a face
     glm::vec4 numbers;  ///< x near plane (cascades: depth of the frame), y depth of the light's centre, z
                         ///< half the tile in texels, w length of a texel at 1 m (cascades: anywhere), m
-    glm::vec4 extent;  ///< xy half size of what shines, m (sun: of its disc at 1 m); z shape
-    glm::uvec4 faces;  ///< x, y, z: corners of a cube's tiles in units of 64 texels, 8 bits each; w cascades
-                       ///< from here on
+    glm::vec4 extent;   ///< xy half size of what shines, m (sun: of its disc at 1 m); z shape
+    glm::uvec4 faces;   ///< x, y, z: corners of a cube's tiles in units of 64 texels, 8 bits each; w cascades
+                        ///< from here on
 };
 
 /// How `extent` is spread; numbers of shaders/shadows.glsl.

@@ -36,10 +36,10 @@ float curvature(ivec2 neighbour, vec3 way, vec3 n) {
     return distance(turned, n) * inversesqrt(max(dot(way, way), 1e-20));
 }
 
-// The facet that the pixel shows, from the depth about it: its normal, and as far as it stands for a smooth surface the
-// distance over which that surface's own facets may be in each other's way. A facet that leans by some angle from the
-// smooth normal is about that angle times the radius of curvature long. Where there is no facet, as on a blade of grass,
-// the shading normal must do.
+// The facet that the pixel shows, from the depth about it: its normal, and as far as it stands for a smooth surface how
+// high its neighbours may rise above it. At an edge the normal is uncertain by the angle between facet and smooth
+// surface, and a neighbour as long as twice that angle times the radius of curvature. Where there is no facet, as on a
+// blade of grass, the shading normal must do.
 vec4 facet_at(ivec2 pixel, vec3 position, vec3 n, vec3 v) {
     ivec2 right;
     ivec2 down;
@@ -53,7 +53,7 @@ vec4 facet_at(ivec2 pixel, vec3 position, vec3 n, vec3 v) {
     float lean = distance(across, n);
     if (lean < 0.01) return vec4(across, 0.0);
     float bend = max(curvature(right, way_right, n), curvature(down, way_down, n));
-    return vec4(across, 4.0 * lean / max(bend, 1e-3));
+    return vec4(across, 3.0 * lean * lean / max(bend, 1e-3));
 }
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {

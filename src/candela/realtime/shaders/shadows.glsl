@@ -46,6 +46,8 @@ const uint kFilterTaps = 16u;
 const float kPlaneSlope = 0.01;
 const float kPlaneTexels = 0.05;
 const float kPlaneLeast_m = 1e-4;
+// Facets of a smooth surface do not rise more steeply than this.
+const float kBulgeSlope = 0.3;
 
 // A receiver in the frame of one record, where z is the depth from the light.
 struct Receiver {
@@ -58,7 +60,7 @@ struct Receiver {
     vec3 y;
     vec3 progress;     // its product with a way is the share of to_light that the way has covered
     float slack;       // m
-    float own;         // m: what is nearer is the receiver itself
+    float bulge;       // m that facets of the same smooth surface may rise
 };
 
 // 0.5 and 1 / golden ratio, and what the two numbers of the plastic ratio are to the plane: fractions of multiples of them
@@ -128,7 +130,7 @@ bool in_the_way(Receiver receiver, vec3 at, vec2 jitter_texels, out float share)
     share = dot(way, receiver.progress);
     float height = dot(way, receiver.normal);
     float distance_m = length(way);
-    return share > 0.0 && height > receiver.slack + kPlaneSlope * distance_m && distance_m > receiver.own;
+    return share > 0.0 && height > receiver.slack + kPlaneSlope * distance_m + min(receiver.bulge, kBulgeSlope * distance_m);
 }
 
 // Point i of the light, in units of x and y, from a Fibonacci spiral or lattice turned by the pixel's own numbers.
@@ -160,6 +162,10 @@ float soft_visibility(Receiver r, bool round_shape, ivec2 pixel) {
     }
     if (blockers == 0.0) return 1.0;
     float way = share_sum / blockers;
+    // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
+    float depth = r.kind == kShadowCascades ? 1.0 : length(r.point + way * r.to_light);
+    float kernel_texels = way * sqrt(min(dot(r.x, r.x), dot(r.y, r.y))) / (r.record.numbers.w * depth);
+    float spread = clamp(1.0 - 0.5 * kernel_texels, 0.0, 1.0);
     float seen = 0.0;
     float all = 0.0;
     for (uint i = 0u; i < kFilterTaps; ++i) {
@@ -168,8 +174,7 @@ float soft_visibility(Receiver r, bool round_shape, ivec2 pixel) {
         float weight = max(dot(r.normal, to_point), 0.0);
         all += weight;
         float share;
-        // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
-        if (!in_the_way(r, r.point + way * to_point, p, share)) seen += weight;
+        if (!in_the_way(r, r.point + way * to_point, p * spread, share)) seen += weight;
     }
     return all > 0.0 ? seen / all : 1.0;
 }
@@ -226,12 +231,8 @@ Receiver shadow_receiver(Light light, int type, ShadowRecord record, vec3 positi
     r.record = record;
     r.kind = shadow_kind_of(type, record);
     r.point = to_frame(record, position_m) + vec3(record.right.w, record.up.w, record.forward.w);
-    // A facet that faces away from a light that its smooth normal sees: the plane is then the light's horizon, and what
-    // little of the mesh is beyond it does not count (the shadow terminator).
-    float cosine = dot(facet.xyz, l);
-    bool turned_away = cosine < 0.02;
-    r.own = turned_away ? facet.w : 0.0;
-    r.normal = to_frame(record, turned_away && facet.w > 0.0 ? normalize(facet.xyz + (0.02 - cosine) * l) : facet.xyz);
+    r.normal = to_frame(record, facet.xyz);
+    r.bulge = facet.w;
     vec3 x = light.right_b.xyz;
     vec3 y = cross(light.right_b.xyz, light.direction_a.xyz);
     int shape = int(record.extent.z);
@@ -258,7 +259,7 @@ Receiver shadow_receiver(Light light, int type, ShadowRecord record, vec3 positi
 }
 
 // Share of the light's illuminance that arrives. facet: unit normal of the facet that the pixel shows, without normal maps
-// and interpolation; w: m over which facets of the same smooth surface may be in each other's way. l: unit, to the
+// and interpolation; w: m that other facets of the same smooth surface may rise above its plane. l: unit, to the
 // light's centre.
 float light_visibility(Light light, vec3 position_m, vec4 facet, vec3 l, ivec2 pixel) {
     int first = light.links.z;
