@@ -22,8 +22,7 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.forward),
             bits(frame.integrate.value_or(Strategy::both)),
             frame.shadow_kinds,
-            bits(p.shadow_filter),
-            bits(p.contact_shadows)};
+            bits(p.shadow_filter)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {

@@ -94,7 +94,7 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...18 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...17 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;

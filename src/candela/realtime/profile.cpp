@@ -32,8 +32,7 @@ std::vector<Slot> slots() {
             slot("dfg", &Profile::dfg, {"table", "env-brdf-approx"}),
             slot("reflection", &Profile::reflection, {"mirror-direction", "dominant-direction"}),
             slot("specular-aa", &Profile::specular_aa, {"none", "footprint"}),
-            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
-            slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-space"})};
+            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"})};
 }
 
 template <class Names>

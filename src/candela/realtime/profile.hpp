@@ -17,7 +17,6 @@ enum class DfgTechnique : std::uint8_t { table, env_brdf_approx };
 enum class ReflectionTechnique : std::uint8_t { mirror_direction, dominant_direction };
 enum class SpecularAaTechnique : std::uint8_t { none, footprint };
 enum class ShadowFilterTechnique : std::uint8_t { pcss, pcf };
-enum class ContactShadowTechnique : std::uint8_t { none, screen_space };
 
 struct Profile {
     std::string name;
@@ -29,7 +28,6 @@ struct Profile {
     ReflectionTechnique reflection = ReflectionTechnique::dominant_direction;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
     ShadowFilterTechnique shadow_filter = ShadowFilterTechnique::pcss;
-    ContactShadowTechnique contact_shadows = ContactShadowTechnique::none;
 };
 
 /// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.

@@ -15,8 +15,9 @@ constexpr std::uint32_t kSmallestWanted = 512;  ///< a small picture still needs
 /// A pyramid with a wider half angle than 60 degrees wastes its texels on the middle.
 constexpr float kWidestPyramid_rad = 1.0472f;
 
-std::uint32_t nearest_power_of_two(float x) {
-    return 1u << static_cast<std::uint32_t>(std::lround(std::log2(std::max(x, 1.0f))));
+/// The nearest one, sooner the larger.
+std::uint32_t power_of_two(float x) {
+    return 1u << static_cast<std::uint32_t>(std::lround(std::log2(1.1f * std::max(x, 1.0f))));
 }
 
 /// Where the light's window closes, or the scene ends.
@@ -120,7 +121,7 @@ std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& ligh
             r.importance = coverage * luminous_intensity_cd(light) / (half_m * half_m);
             texels = coverage * pixels * (r.kind == ShadowKind::cube ? 0.5f : 1.0f);
         }
-        r.size = std::clamp(nearest_power_of_two(texels), kSmallestWanted,
+        r.size = std::clamp(power_of_two(texels), kSmallestWanted,
                             r.kind == ShadowKind::cube ? kLargestFace : kLargestTile);
         requests.push_back(r);
     }

@@ -158,7 +158,7 @@ glm::vec2 depth_range(const scene::Camera& camera, const scene::Aabb& bounds) {
         far = std::max(far, depth);
     }
     far = std::max(std::min(far, camera.zfar_m), 1e-3f);
-    near = std::clamp(near, std::max(camera.znear_m, far * 1e-3f), far);
+    near = std::min(std::max({near, camera.znear_m, far * 0.02f}), far);
     return {std::exp2(std::floor(std::log2(near) * 4.0f) / 4.0f),
             std::exp2(std::ceil(std::log2(far) * 4.0f) / 4.0f)};
 }
@@ -189,7 +189,8 @@ LightViews cascade_views(const scene::Light& light, const LightShadow& shadow, c
     const glm::vec2 range = depth_range(camera, bounds);
     LightViews out;
     for (std::uint32_t i = 0; i < kCascades; ++i) {
-        Sphere sphere = slice_sphere(camera, aspect, split(range, i), split(range, i + 1));
+        Sphere sphere =
+            slice_sphere(camera, aspect, i == 0 ? camera.znear_m : split(range, i), split(range, i + 1));
         sphere.radius = std::exp2(std::ceil(std::log2(sphere.radius) * 8.0f) / 8.0f);
         const bool last = sphere.radius >= whole.radius;
         if (last) sphere = whole;

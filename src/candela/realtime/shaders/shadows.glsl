@@ -9,12 +9,10 @@
 #include "basis.glsl"
 #include "lights.glsl"
 
-// C++: 1 << ShadowKind for each kind that some light needs; ShadowFilterTechnique, ContactShadowTechnique.
+// C++: 1 << ShadowKind for each kind that some light needs; ShadowFilterTechnique.
 layout(constant_id = 16) const uint kShadowKinds = 0u;
 layout(constant_id = 17) const int kShadowFilter = 0;
-layout(constant_id = 18) const int kContactShadows = 0;
 const int kFilterPcss = 0;
-const int kContactScreenSpace = 1;
 
 // C++: ShadowKind and ShadowShape.
 const uint kShadowCascades = 1u;
@@ -126,6 +124,9 @@ bool in_the_way(Receiver receiver, vec3 at, vec2 jitter_texels, out float share)
     share = 0.0;
     vec3 surface;
     if (!surface_seen(receiver, at, jitter_texels, surface)) return false;
+    // Seen from a cube's centre, towards the end of a long tube, what is farther than the receiver is across is not on the
+    // way to it.
+    if (receiver.kind == kShadowCube && dot(surface, receiver.point - surface) < 0.0) return false;
     vec3 way = surface - receiver.point;
     share = dot(way, receiver.progress);
     float height = dot(way, receiver.normal);
