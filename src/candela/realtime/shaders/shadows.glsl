@@ -61,17 +61,17 @@ struct Receiver {
     float bulge;       // m that facets of the same smooth surface may rise
 };
 
-// 0.5 and 1 / golden ratio, and what the two numbers of the plastic ratio are to the plane: fractions of multiples of them
-// are spread evenly (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
-const vec2 kSpread2 = vec2(0.7548776662, 0.5698402910);
-const float kSpread1 = 0.6180339887;
+// Fractions of multiples of these are spread evenly: the golden ratio's, and the plastic ratio's, which keeps step with no
+// multiple of the first (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
+const float kSpreadAround = 0.6180339887;
+const float kSpreadAlong = 0.7548776662;
 
 // Per-pixel numbers in [0,1): neighbours differ most (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
 // Advanced Warfare"). Another sample of the same pixel goes on along a sequence, so that stills converge.
 float shadow_noise(ivec2 pixel, uint dimension) {
     vec2 p = vec2(pixel) + 5.588238 * float(dimension);
     float n = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
-    return fract(n + kSpread1 * float(frame.random.x));
+    return fract(n + kSpreadAround * float(frame.random.x));
 }
 
 // The atlas at a texel's middle: the point of the surface seen there, in the record's frame. False when there is none.
@@ -137,7 +137,7 @@ bool in_the_way(Receiver receiver, vec3 at, vec2 jitter_texels, out float share)
 // Point i of the light, in units of x and y, from a Fibonacci spiral or lattice turned by the pixel's own numbers.
 vec2 light_point(bool round_shape, uint i, uint count, vec2 turn) {
     float along = (float(i) + turn.y) / float(count);
-    float around = fract(float(i) * kSpread1 + turn.x);
+    float around = fract(float(i) * kSpreadAround + turn.x);
     if (!round_shape) return vec2(around, along) * 2.0 - 1.0;
     return sqrt(along) * vec2(cos(TWO_PI * around), sin(TWO_PI * around));
 }
@@ -154,7 +154,7 @@ float soft_visibility(Receiver r, bool round_shape, ivec2 pixel) {
     float share_sum = 0.0;
     for (uint i = 0u; i < kSearchTaps; ++i) {
         vec2 p = light_point(round_shape, i, kSearchTaps, turn);
-        float way = farthest * fract(float(i) * kSpread2.x + shift);
+        float way = farthest * fract(float(i) * kSpreadAlong + shift);
         float share;
         if (in_the_way(r, r.point + way * (r.to_light + p.x * r.x + p.y * r.y), vec2(0.0), share)) {
             blockers += 1.0;
