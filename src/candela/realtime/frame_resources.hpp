@@ -65,7 +65,7 @@ struct FrameResources {
     std::optional<Strategy> integrate;  ///< the integrals themselves instead of the profile's techniques
     bool write_aovs = false;
     bool has_environment = false;
-    std::uint32_t shadow_kinds = 0;  ///< bits 1 << ShadowKind; 0: every light shines through everything
+    std::uint32_t shadow_kinds = 0;  ///< of shadow_kind_bits(); 0: every light shines through everything
     bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible

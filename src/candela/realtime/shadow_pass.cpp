@@ -48,7 +48,9 @@ bool still_fits(const std::vector<ShadowRequest>& planned, const std::vector<Sha
 std::uint32_t shadow_kind_bits(const scene::Scene& scene) {
     std::uint32_t kinds = 0;
     for (const scene::Light& light : scene.lights) {
-        if (light.casts_shadow) kinds |= 1u << static_cast<std::uint32_t>(shadow_kind(light));
+        if (!light.casts_shadow) continue;
+        const bool soft = scene::has_extent(light.type) || light.type == scene::LightType::line;
+        kinds |= 1u << static_cast<std::uint32_t>(shadow_kind(light)) | (soft ? 8u : 16u);
     }
     return scene::world_bounds(scene).empty() ? 0 : kinds;
 }

@@ -45,7 +45,7 @@ class ShadowPass {
 };
 
 /// Bits of the specialization constant kShadowKinds: 1 << ShadowKind for each kind that the scene's lights
-/// need.
+/// need, then one for lights with extent and one for those without.
 [[nodiscard]] std::uint32_t shadow_kind_bits(const scene::Scene& scene);
 
 }  // namespace candela::realtime

@@ -9,7 +9,8 @@
 #include "basis.glsl"
 #include "lights.glsl"
 
-// C++: 1 << ShadowKind for each kind that some light needs; ShadowFilterTechnique.
+// C++: shadow_kind_bits(), what some light needs; ShadowFilterTechnique. What none needs is not compiled: a software device
+// runs both sides of a branch.
 layout(constant_id = 16) const uint kShadowKinds = 0u;
 layout(constant_id = 17) const int kShadowFilter = 0;
 const int kFilterPcss = 0;
@@ -18,6 +19,8 @@ const int kFilterPcss = 0;
 const uint kShadowCascades = 1u;
 const uint kShadowPerspective = 2u;
 const uint kShadowCube = 4u;
+const uint kShadowSoft = 8u;
+const uint kShadowPoint = 16u;
 const int kShapePoint = 0;
 const int kShapeFacingDisc = 1;
 const int kShapeDisc = 2;
@@ -110,10 +113,11 @@ bool surface_in_cube(ShadowRecord r, vec3 way, vec2 jitter_texels, out vec3 surf
 }
 
 bool surface_seen(Receiver receiver, vec3 at, vec2 jitter_texels, out vec3 surface) {
-    if ((kShadowKinds & kShadowCascades) != 0u && receiver.kind == kShadowCascades) {
+    const uint kinds = kShadowKinds & (kShadowCascades | kShadowPerspective | kShadowCube);
+    if (kinds == kShadowCascades || ((kinds & kShadowCascades) != 0u && receiver.kind == kShadowCascades)) {
         return surface_in_cascade(receiver.record, at.xy * receiver.record.texels.xy + jitter_texels, surface);
     }
-    if ((kShadowKinds & kShadowCube) != 0u && receiver.kind == kShadowCube) {
+    if ((kinds & ~kShadowCascades) == kShadowCube || ((kinds & kShadowCube) != 0u && receiver.kind == kShadowCube)) {
         return surface_in_cube(receiver.record, at, jitter_texels, surface);
     }
     return surface_in_pyramid(receiver.record, at.xy / at.z * receiver.record.texels.xy + jitter_texels, surface);
@@ -130,7 +134,9 @@ bool in_the_way(Receiver receiver, vec3 at, vec2 jitter_texels, out float share)
     vec3 way = surface - receiver.point;
     share = dot(way, receiver.progress);
     float height = dot(way, receiver.normal);
-    float distance_m = length(way);
+    // The longest side stands for the distance: a root in every lookup costs more than the tolerance is worth.
+    vec3 sides = abs(way);
+    float distance_m = max(sides.x, max(sides.y, sides.z));
     return share > 0.0 && height > receiver.slack + kPlaneSlope * distance_m + min(receiver.bulge, kBulgeSlope * distance_m);
 }
 
@@ -271,7 +277,9 @@ float light_visibility(Light light, vec3 position_m, vec4 facet, vec3 l, ivec2 p
     Receiver r = shadow_receiver(light, type, shadow_records[first], position_m, facet, l);
     if (r.kind == kShadowPerspective && r.point.z <= r.record.numbers.y) return 1.0;
     int shape = int(r.record.extent.z);
-    if (kShadowFilter == kFilterPcss && shape != kShapePoint) {
+    bool soft = kShadowFilter == kFilterPcss && (kShadowKinds & kShadowSoft) != 0u;
+    bool all_soft = soft && (kShadowKinds & kShadowPoint) == 0u;
+    if (all_soft || (soft && shape != kShapePoint)) {
         return soft_visibility(r, shape == kShapeFacingDisc || shape == kShapeDisc, pixel);
     }
     return point_visibility(r, r.point);
