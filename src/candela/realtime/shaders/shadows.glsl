@@ -186,30 +186,25 @@ float soft_visibility(Receiver r, bool round_shape, ivec2 pixel) {
     return all > 0.0 ? seen / all : 1.0;
 }
 
-// A light without extent: a quadratic B-spline over 3 x 3 texels, whose edges are smooth at any distance.
+// A light without extent: the four texels about the way to it, by how near they are.
 float point_visibility(Receiver r, vec3 at) {
-    // Steps of one texel across the way to the light.
-    vec2 fraction = vec2(0.5);
+    vec2 offset;
     if (r.kind != kShadowCube) {
-        vec2 offset = r.kind == kShadowCascades ? at.xy : at.xy / at.z;
-        fraction = fract(r.record.texels.zw + offset * r.record.texels.xy);
+        offset = (r.kind == kShadowCascades ? at.xy : at.xy / at.z) * r.record.texels.xy;
     } else {
         vec3 a = abs(at);
         vec3 turned = a.x >= max(a.y, a.z) ? at : a.y >= a.z ? at.yzx : at.zxy;
-        fraction = fract(turned.yz / abs(turned.x) * r.record.numbers.z);
+        offset = turned.yz / abs(turned.x) * r.record.numbers.z;
     }
-    vec2 low = 0.5 * (1.0 - fraction) * (1.0 - fraction);
-    vec2 high = 0.5 * fraction * fraction;
-    vec2 middle = 1.0 - low - high;
-    vec3 wx = vec3(low.x, middle.x, high.x);
-    vec3 wy = vec3(low.y, middle.y, high.y);
+    // Tiles have their middle on a corner of four texels.
+    vec2 high = fract(offset + 0.5);
+    vec2 low = 1.0 - high;
+    float share;
     float seen = 0.0;
-    for (int y = 0; y < 3; ++y) {
-        for (int x = 0; x < 3; ++x) {
-            float share;
-            if (!in_the_way(r, at, vec2(x, y) - 1.0, share)) seen += wx[x] * wy[y];
-        }
-    }
+    if (!in_the_way(r, at, vec2(-0.5, -0.5), share)) seen += low.x * low.y;
+    if (!in_the_way(r, at, vec2(0.5, -0.5), share)) seen += high.x * low.y;
+    if (!in_the_way(r, at, vec2(-0.5, 0.5), share)) seen += low.x * high.y;
+    if (!in_the_way(r, at, vec2(0.5, 0.5), share)) seen += high.x * high.y;
     return seen;
 }
 
