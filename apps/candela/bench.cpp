@@ -61,6 +61,8 @@ int bench(const BenchOptions& options) {
     renderer_options.height = job.height;
     renderer_options.profile = job.profile;
     renderer_options.tone_curve = job.tone_curve;
+    renderer_options.shadows = {shadows_of(options.job.shadows, "realtime") == Shadows::map,
+                                options.job.shadows.atlas_texels};
     std::vector<double> frame_ms;
     std::vector<std::vector<gpu::PassTime>> passes;
     {
@@ -75,6 +77,7 @@ int bench(const BenchOptions& options) {
             passes.push_back(renderer.render_frame(job.camera, job.exposure));
             frame_ms.push_back(milliseconds_since(frame));
         }
+        warn_of_unshadowed(renderer.unshadowed_lights(), job.diagnostics);
     }
     const std::vector<gpu::PassTime> pass_ms = median_passes(passes);
     const double device_mib = static_cast<double>(device.peak_memory_bytes()) / (1024.0 * 1024.0);

@@ -117,6 +117,7 @@ SceneSource path_source(const SceneOptions& options, const std::shared_ptr<Job>&
                 PathModeOptions path;
                 path.samples = options.path_samples;
                 path.direct_only = options.direct_only;
+                path.shadows = options.job.shadows.way != "none";
                 const PathModePicture picture = render_by_path(*job, options.job, path, {});
                 NamedPicture out = named("path", "path", picture.still, *job, picture.info.device,
                                          picture.info.samples, options.job.seed);
@@ -129,10 +130,14 @@ SceneSource path_source(const SceneOptions& options, const std::shared_ptr<Job>&
 
 SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job>& job, bool integrate) {
     const std::string name = integrate ? "integrate" : job->profile.name;
-    return {name, [job, options, integrate, name](const gpu::Device& device) {
+    const bool none = options.job.shadows.way == "none";
+    const Shadows shadows = none ? Shadows::none : integrate ? Shadows::ray : Shadows::map;
+    return {name, [job, options, integrate, name, shadows](const gpu::Device& device) {
                 const std::uint32_t samples = integrate ? options.integrate_samples : options.samples;
-                const FrameModeStill frame =
-                    render_on_device(device, *job, {integrate, samples, options.job.seed, false});
+                const FrameModeStill frame = render_on_device(
+                    device, *job,
+                    {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels});
+                warn_of_unshadowed(frame.unshadowed_lights, job->diagnostics);
                 return named(name, integrate ? "integrate" : "realtime", frame.still, *job,
                              device_line(device.info()), samples, options.job.seed);
             }};

@@ -26,7 +26,8 @@ FrameModeStill render_on_device(const gpu::Device& device, const Job& job, const
     o.profile = job.profile;
     o.tone_curve = job.tone_curve;
     o.aovs = options.aovs;
-    if (options.integrate) o.integrate.emplace().ray_shadows = options.ray_shadows;
+    o.shadows = {options.shadows == Shadows::map, options.shadow_atlas_texels};
+    if (options.integrate) o.integrate.emplace().ray_shadows = options.shadows == Shadows::ray;
     FrameModeStill out;
     const auto setup = Clock::now();
     realtime::Renderer renderer(device, job.scene, o);
@@ -34,6 +35,7 @@ FrameModeStill render_on_device(const gpu::Device& device, const Job& job, const
     const auto draw = Clock::now();
     out.still = renderer.render_still(job.camera, job.exposure);
     out.render_s = seconds_since(draw);
+    out.unshadowed_lights = renderer.unshadowed_lights();
     return out;
 }
 

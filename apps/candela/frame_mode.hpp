@@ -10,7 +10,8 @@ struct FrameModeOptions {
     std::uint32_t samples = 4;
     std::uint32_t seed = 0;
     bool aovs = false;
-    bool ray_shadows = false;  ///< of integrate
+    Shadows shadows = Shadows::map;  ///< map in real time, ray in integrate, or none
+    std::uint32_t shadow_atlas_texels = 4096;
 };
 
 /// Samples a pixel of a mode on the device when nothing is said: realtime, or integrate.
@@ -20,6 +21,7 @@ struct FrameModeStill {
     realtime::Still still;
     double setup_s = 0.0;
     double render_s = 0.0;
+    std::uint32_t unshadowed_lights = 0;
 };
 
 /// Renders the job on the device. Throws Error.

@@ -238,6 +238,7 @@ void add_picture_options(CLI::App& command, JobOptions& o) {
     command.add_option("--tonemap", o.tonemap, "Tone curve of PNG files")
         ->check(CLI::IsMember({"none", "aces", "agx", "neutral"}))
         ->capture_default_str();
+    add_shadow_options(command, o.shadows);
     command.add_option("--seed", o.seed, "Of the sample positions")->capture_default_str();
 }
 

@@ -12,6 +12,7 @@
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
 #include "scene_files.hpp"
+#include "shadow_option.hpp"
 
 namespace candela::app {
 
@@ -35,6 +36,7 @@ struct JobOptions : SceneFileOptions {
     std::optional<float> exposure_compensation;
     std::string profile = "best";
     std::string tonemap = "neutral";
+    ShadowRequestOptions shadows;
     std::string device = "auto";
     bool validation = false;
     std::uint32_t seed = 0;

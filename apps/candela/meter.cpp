@@ -84,6 +84,7 @@ Reading read_by_path(const Job& job, const MeterOptions& options) {
     truth::PathRenderOptions o;
     o.path.techniques = path_techniques(job.profile);
     o.path.direct_only = options.direct_only;
+    o.path.shadows = shadows_of(options.job.shadows, options.mode) == Shadows::ray;
     o.width = o.height = kFieldPixels;
     o.samples = options.samples.value_or(64);
     o.seed = options.job.seed;
@@ -104,11 +105,15 @@ Reading read_by_path(const Job& job, const MeterOptions& options) {
     return r;
 }
 
-Reading read_on_device(const Job& job, const MeterOptions& options, Way way) {
+Reading read_on_device(Job& job, const MeterOptions& options, Way way) {
     const bool integrate = options.mode == "integrate";
     const gpu::Device device(device_options(options.job));
     const std::uint32_t samples = options.samples.value_or(default_samples(integrate));
-    const FrameModeStill frame = render_on_device(device, job, {integrate, samples, options.job.seed, false});
+    const Shadows shadows = shadows_of(options.job.shadows, options.mode);
+    const FrameModeStill frame = render_on_device(
+        device, job,
+        {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels});
+    warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
     const std::vector<glm::vec4>& picture = frame.still.planes.light_nit;
     if (way != Way::pixel) return mean_of(picture);
     return mean_of({picture.at(std::size_t{options.pixel[1]} * job.width + options.pixel[0])});

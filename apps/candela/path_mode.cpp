@@ -229,11 +229,6 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
     command.add_option("--max-bounces", o.max_bounces, "Path: surfaces that light may meet on its way (64)")
         ->check(CLI::Range(0, 100000));
     command.add_flag("--direct-only", o.direct_only, "Path: only light straight from its source");
-    command
-        .add_option(
-            "--shadows", o.shadows,
-            "Path (ray) and integrate (none): ray, or none for direct light as if nothing were in its way")
-        ->check(CLI::IsMember({"ray", "none"}));
     command.add_flag("--furnace", o.furnace,
                      "Path: light everything by a uniform luminance of 1 cd/m2 instead");
     command.add_flag("--depth-of-field", o.depth_of_field, "Path: blur by the camera's aperture");
@@ -248,8 +243,8 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
 }
 
 bool any_path_option(const PathModeOptions& o) {
-    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || !o.shadows.empty() ||
-           o.furnace || o.depth_of_field || o.focus_m || !o.checkpoint.empty();
+    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.furnace ||
+           o.depth_of_field || o.focus_m || !o.checkpoint.empty();
 }
 
 PathModePicture render_by_path(Job& job, const JobOptions& options, const PathModeOptions& path,
@@ -259,7 +254,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.path.techniques = path_techniques(job.profile);
     o.path.max_bounces = path.max_bounces.value_or(o.path.max_bounces);
     o.path.direct_only = path.direct_only;
-    o.path.shadows = path.shadows != "none";
+    o.path.shadows = path.shadows;
     o.path.furnace = path.furnace;
     o.width = job.width;
     o.height = job.height;

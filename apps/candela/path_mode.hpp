@@ -17,7 +17,7 @@ struct PathModeOptions {
     std::optional<double> target_error;
     std::optional<int> max_bounces;
     bool direct_only = false;
-    std::string shadows;  ///< ray or none, of integrate too; empty: the mode's own
+    bool shadows = true;
     bool furnace = false;
     bool depth_of_field = false;
     std::optional<float> focus_m;

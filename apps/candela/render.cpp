@@ -41,11 +41,14 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
     const gpu::Device device(device_options(options.job));
     info.device = device_line(device.info());
     info.samples = options.samples.value_or(default_samples(integrate));
-    if (integrate) info.settings["shadows"] = options.path.shadows == "ray" ? "ray" : "none";
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
-    FrameModeStill frame = render_on_device(device, job,
-                                            {integrate, info.samples, options.job.seed,
-                                             !options.files.aovs.empty(), options.path.shadows == "ray"});
+    const Shadows shadows = shadows_of(options.job.shadows, options.mode);
+    info.settings["shadows"] = name_of(shadows);
+    FrameModeStill frame =
+        render_on_device(device, job,
+                         {integrate, info.samples, options.job.seed, !options.files.aovs.empty(), shadows,
+                          options.job.shadows.atlas_texels});
+    warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
     seconds["setup"] = frame.setup_s;
     seconds["render"] = frame.render_s;
     if (options.job.validation) throw_validation(device);
@@ -72,15 +75,13 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
 }
 
 void check_mode(const RenderOptions& options) {
+    (void)shadows_of(options.job.shadows, options.mode);
     if (options.mode == "path") return;
-    PathModeOptions of_path_alone = options.path;
-    if (options.mode == "integrate") of_path_alone.shadows.clear();
-    if (any_path_option(of_path_alone)) {
-        throw Error(
-            Fault::usage,
-            "--time-limit, --target-error, --max-bounces, --direct-only, --furnace, --depth-of-field, "
-            "--focus-m and --checkpoint are the path tracer's; --shadows also integrate's",
-            "--mode " + options.mode, "--mode path");
+    if (any_path_option(options.path)) {
+        throw Error(Fault::usage,
+                    "--time-limit, --target-error, --max-bounces, --direct-only, --furnace, "
+                    "--depth-of-field, --focus-m and --checkpoint are the path tracer's",
+                    "--mode " + options.mode, "--mode path");
     }
     if (options.samples.value_or(1) > 4096) throw Error(Fault::usage, "more than 4096 samples", "--spp");
     for (const std::string& aov : options.files.aovs) {
@@ -108,6 +109,7 @@ int render(RenderOptions options) {
     bool finished = true;
     if (options.mode == "path") {
         options.path.samples = options.samples;
+        options.path.shadows = shadows_of(options.job.shadows, options.mode) == Shadows::ray;
         const auto draw = std::chrono::steady_clock::now();
         PathModePicture picture = render_by_path(job, options.job, options.path, options.files);
         if (!picture.writes) return 0;

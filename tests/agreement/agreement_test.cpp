@@ -167,7 +167,8 @@ TEST(Agreement, IntegratorAndPathTracerFindTheSameDirectLight) {
 }
 
 // FLIP sees what a person sees at 67 pixels a degree. The bounds are what is known to be missing, plus a
-// little: the frame has no shadows, and its split sum does not stretch reflections.
+// little: the integrator has no shadows, the frame none of the environment's light, and its split sum does
+// not stretch reflections.
 TEST_P(SceneFlip, StaysWithinItsBound) {
     const FlipCase& c = GetParam();
     const Staged s = demo(c.write, c.name);

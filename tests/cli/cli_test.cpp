@@ -58,6 +58,8 @@ TEST(CommandLine, WrongUseIsExitCodeTwo) {
     expect_one_line(run_candela("render"), 2, "SCENE");
     expect_one_line(run_candela("render scene.glb --size 0x10"), 2, "--size");
     expect_one_line(run_candela("render scene.glb --size 12"), 2, "--size");
+    expect_one_line(run_candela("render scene.glb --shadows ray"), 2, "--mode path for rays");
+    expect_one_line(run_candela("render scene.glb --mode path --shadows map"), 2, "--shadows ray or none");
     expect_one_line(run_candela("render scene.glb -o picture.bmp"), 2, "picture.bmp");
     expect_one_line(run_candela("render scene.glb --aov beauty -o a.exr"), 2, "beauty");
     expect_one_line(run_candela("render scene.glb --tonemap filmic"), 2, "tonemap");

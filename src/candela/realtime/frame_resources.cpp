@@ -23,7 +23,9 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             frame.integrate_tables.variant,
             bits(frame.culled_lights),
             bits(p.area_diffuse),
-            bits(p.area_specular)};
+            bits(p.area_specular),
+            frame.shadow_kinds,
+            bits(p.shadow_filter)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
@@ -31,6 +33,7 @@ std::vector<VkDescriptorType> shading_set_layout() {
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 }
 
@@ -44,7 +47,9 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_buffer(frame.integrate_tables.buffer),
             gpu::bind_buffer(frame.light_lists),
             gpu::bind_buffer(scene.profiles),
-            gpu::bind_sampled(frame.ltc.view(), frame.clamp.get())};
+            gpu::bind_sampled(frame.ltc.view(), frame.clamp.get()),
+            gpu::bind_buffer(frame.shadow_records),
+            gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get())};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -57,6 +62,8 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.environment.irradiance, gpu::Use::sampled);
     commands.use(frame.environment.background, gpu::Use::sampled);
     commands.use(frame.integrate_tables.buffer, gpu::Use::storage_read);
+    commands.use(frame.shadow_records, gpu::Use::storage_read);
+    commands.use(frame.shadow_atlas, gpu::Use::sampled);
 }
 
 }  // namespace candela::realtime

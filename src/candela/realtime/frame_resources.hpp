@@ -80,7 +80,8 @@ struct FrameResources {
     std::optional<Strategy> integrate;  ///< the integrals themselves instead of the profile's techniques
     bool write_aovs = false;
     bool has_environment = false;
-    bool all_targets = false;  ///< the G-buffer pass also writes emission, layers and ids
+    std::uint32_t shadow_kinds = 0;  ///< of shadow_kind_bits(); 0: every light shines through everything
+    bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible
     gpu::Image gbuffer;
@@ -94,6 +95,8 @@ struct FrameResources {
     gpu::Buffer light_lists;
     gpu::Buffer
         tile_bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
+    gpu::Image shadow_atlas;     ///< 1 x 1 without shadows; reversed depth, one tile a view of a light
+    gpu::Buffer shadow_records;  ///< ShadowRecord, host visible
     std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
 
     gpu::Image dfg;
@@ -112,7 +115,7 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...18 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...20 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
@@ -123,7 +126,7 @@ struct ShadeVariant {
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...9 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...11 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

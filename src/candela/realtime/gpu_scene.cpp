@@ -137,6 +137,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.index_count = static_cast<std::uint32_t>(p.indices.size());
             draw.vertex_offset = static_cast<std::int32_t>(all_vertices.size());
             draw.material = p.material;
+            draw.world_bounds = p.bounds;
             draw.world_center = p.bounds.empty() ? glm::vec3(0.0f) : 0.5f * (p.bounds.min + p.bounds.max);
             const scene::Material& material = scene.materials[p.material];
             draw.features = material_features(material);
@@ -157,6 +158,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.instance = i;
             draw.world = instance.world;
             draw.world_center = glm::vec3(instance.world * glm::vec4(draw.world_center, 1.0f));
+            draw.world_bounds = transformed(draw.world_bounds, instance.world);
             draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
             if (!draw.blended) {
                 any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
@@ -236,6 +238,17 @@ void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands)
     lights = upload(light_list.blocks);
     light_reaches = upload(light_list.reaches);
     profiles = upload(light_list.profile_cd);
+}
+
+void GpuScene::link_shadows(const gpu::Device& device, gpu::Commands& commands,
+                            std::span<const int> records) {
+    if (light_list.blocks.empty()) return;
+    for (std::size_t i = 0; i < light_list.blocks.size(); ++i) {
+        const std::uint32_t source = light_list.sources[i];
+        if (source < records.size()) light_list.blocks[i].links.z = records[source];
+    }
+    lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(light_list.blocks)),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 std::vector<VkDescriptorType> GpuScene::material_set_layout() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
@@ -57,6 +58,7 @@ struct Draw {
     std::uint32_t features = 0;
     glm::mat4 world{1.0f};
     glm::vec3 world_center{0.0f};  ///< for sorting
+    scene::Aabb world_bounds;
     bool mirrored = false;
     bool blended = false;
     std::uint32_t blended_surface = 0;  ///< into GpuScene::blended_surfaces
@@ -74,6 +76,10 @@ class GpuScene {
     /// with_emissive: emissive surfaces are lights too.
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
              bool with_emissive);
+
+    /// Tells the shaders where each light's shadow is: first record by index into Scene::lights, -1: none.
+    /// Submits.
+    void link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> records);
 
     gpu::Buffer vertices;
     gpu::Buffer indices;

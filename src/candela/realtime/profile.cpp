@@ -36,7 +36,8 @@ std::vector<Slot> slots() {
                  {"exact", "structured-sampling", "form-factor", "most-representative-point",
                   "most-representative-point-drobot", "light-position", "five-times"}),
             slot("area-specular", &Profile::area_specular,
-                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening"})};
+                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
+            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"})};
 }
 
 template <class Names>
@@ -73,7 +74,8 @@ Profile ue4() {
             .reflection = ReflectionTechnique::mirror_direction,
             .specular_aa = SpecularAaTechnique::none,
             .area_diffuse = AreaDiffuseTechnique::light_position,
-            .area_specular = AreaSpecularTechnique::representative_point};
+            .area_specular = AreaSpecularTechnique::representative_point,
+            .shadow_filter = ShadowFilterTechnique::pcf};
 }
 
 Profile mobile() {

@@ -32,6 +32,7 @@ enum class AreaSpecularTechnique : std::uint8_t {
     dominant_direction,
     specular_d_widening
 };
+enum class ShadowFilterTechnique : std::uint8_t { pcss, pcf };
 
 struct Profile {
     std::string name;
@@ -44,6 +45,7 @@ struct Profile {
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;
+    ShadowFilterTechnique shadow_filter = ShadowFilterTechnique::pcss;
 };
 
 /// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.

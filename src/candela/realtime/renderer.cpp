@@ -14,6 +14,7 @@
 #include "candela/realtime/gbuffer_pass.hpp"
 #include "candela/realtime/lighting_pass.hpp"
 #include "candela/realtime/metering.hpp"
+#include "candela/realtime/shadow_pass.hpp"
 #include "candela/realtime/shape_pass.hpp"
 #include "shading/exposure.glsl"
 #include "shading/sequence.glsl"
@@ -32,6 +33,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     if (options.integrate) frame.integrate = options.integrate->strategy;
     frame.write_aovs = options.aovs;
     frame.has_environment = scene.environment.has_value();
+    if (options.shadows.maps && !options.integrate) frame.shadow_kinds = shadow_kind_bits(scene);
     frame.all_targets = gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs;
 
     const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {
@@ -48,6 +50,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.tiles = gpu::Buffer(device, ClassifyPass::tile_buffer_bytes(frame.tile_count()),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
                               gpu::MemoryKind::device);
+    frame.shadow_atlas = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false);
+    frame.shadow_records = gpu::Buffer(device, sizeof(ShadowRecord), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                       gpu::MemoryKind::upload);
     frame.frame_block =
         gpu::Buffer(device, sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::upload);
 
@@ -131,6 +136,7 @@ struct Renderer::State {
           commands(device_in),
           gpu_scene(device_in, commands, scene, !options_in.integrate),
           frame(create_frame(device_in, commands, scene, gpu_scene, options_in)),
+          shadows(device_in, frame, gpu_scene, scene, options_in.shadows.atlas_texels),
           gbuffer(device_in, frame, gpu_scene),
           shapes(device_in, frame, gpu_scene),
           classify(device_in, frame, gpu_scene),
@@ -163,6 +169,7 @@ struct Renderer::State {
     gpu::Commands commands;
     GpuScene gpu_scene;
     FrameResources frame;
+    ShadowPass shadows;
     GBufferPass gbuffer;
     ShapePass shapes;
     ClassifyPass classify;
@@ -205,6 +212,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
 }
 
 void Renderer::State::record_light(const scene::Camera& camera) {
+    shadows.record(commands, frame, gpu_scene);
     gbuffer.record(commands, frame, gpu_scene);
     shapes.record(commands, frame, gpu_scene);
     classify.record(commands, frame);
@@ -221,6 +229,7 @@ float Renderer::State::meter(const scene::Camera& camera, bool& found) {
     for (int attempt = 0; attempt < 3; ++attempt) {
         const float pre = pre_exposure(shading::exposure_from_ev100(ev100));
         write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+        shadows.prepare(commands, frame, gpu_scene, camera, false);
         commands.begin();
         record_light(camera);
         metering.record(commands, frame);
@@ -238,6 +247,10 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const R
     : state_(std::make_unique<State>(device, scene, options)) {}
 
 Renderer::~Renderer() = default;
+
+std::uint32_t Renderer::unshadowed_lights() const {
+    return state_->shadows.unshadowed();
+}
 
 Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure& exposure) {
     State& s = *state_;
@@ -257,6 +270,7 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
         const glm::vec2 jitter =
             samples == 1 ? glm::vec2(0.0f) : shading::sobol_owen(i, s.options.seed) - glm::vec2(0.5f);
         s.write_frame_block(camera, pre, jitter, footprint, i, draws);
+        s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
         s.commands.begin();
         s.record_light(camera);
         s.picture->record(s.commands, s.frame, 1.0f / pre, i == 0);
@@ -282,6 +296,7 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     const float wanted = shading::exposure_from_ev100(ev100 - exposure.compensation_ev);
     const float pre = s.pre_exposure(wanted);
     s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, true);
     s.commands.begin();
     s.record_light(camera);
     if (exposure.automatic()) s.metering.record(s.commands, s.frame);

@@ -12,6 +12,11 @@
 
 namespace candela::realtime {
 
+struct ShadowOptions {
+    bool maps = true;                   ///< lights that cast shadows have shadow maps; not when integrating
+    std::uint32_t atlas_texels = 4096;  ///< most that the atlas may have a side, 4 bytes each
+};
+
 struct RendererOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
@@ -21,6 +26,7 @@ struct RendererOptions {
     std::uint32_t tone_curve = 3;  ///< of shading/tone_curves.glsl; interactive frames only
     bool aovs = false;
     bool cull_lights = true;  ///< false: every point asks every light; for tests
+    ShadowOptions shadows;
     /// Finds the integrals that the profile's techniques approximate, one sample of them in each of
     /// `samples`: the mode `integrate`.
     std::optional<IntegrateOptions> integrate;
@@ -52,6 +58,9 @@ class Renderer {
     /// One interactive frame at one sample a pixel, as a viewer would show it: lit, metered, tone mapped.
     /// Returns the times of its passes. The exposure follows the frame before.
     std::vector<gpu::PassTime> render_frame(const scene::Camera& camera, const scene::Exposure& exposure);
+
+    /// Lights that cast shadows but found no room in the atlas of the last picture.
+    [[nodiscard]] std::uint32_t unshadowed_lights() const;
 
   private:
     struct State;

@@ -19,18 +19,23 @@ void Aabb::extend(const Aabb& other) {
     extend(other.max);
 }
 
+Aabb transformed(const Aabb& bounds, const glm::mat4& matrix) {
+    Aabb out;
+    if (bounds.empty()) return out;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p{(corner & 1) ? bounds.max.x : bounds.min.x,
+                          (corner & 2) ? bounds.max.y : bounds.min.y,
+                          (corner & 4) ? bounds.max.z : bounds.min.z};
+        out.extend(glm::vec3(matrix * glm::vec4(p, 1.0f)));
+    }
+    return out;
+}
+
 Aabb world_bounds(const Scene& scene) {
     Aabb bounds;
     for (const Instance& instance : scene.instances) {
-        for (const Primitive& primitive : scene.meshes[instance.mesh].primitives) {
-            const Aabb& b = primitive.bounds;
-            if (b.empty()) continue;
-            for (int corner = 0; corner < 8; ++corner) {
-                const glm::vec3 p{(corner & 1) ? b.max.x : b.min.x, (corner & 2) ? b.max.y : b.min.y,
-                                  (corner & 4) ? b.max.z : b.min.z};
-                bounds.extend(glm::vec3(instance.world * glm::vec4(p, 1.0f)));
-            }
-        }
+        for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
+            bounds.extend(transformed(primitive.bounds, instance.world));
     }
     return bounds;
 }

@@ -110,6 +110,9 @@ struct Scene {
     Exposure exposure;
 };
 
+/// Bounds of a box whose corners were transformed.
+[[nodiscard]] Aabb transformed(const Aabb& bounds, const glm::mat4& matrix);
+
 /// World-space bounds of every instance; empty() when nothing is drawn.
 [[nodiscard]] Aabb world_bounds(const Scene& scene);
 

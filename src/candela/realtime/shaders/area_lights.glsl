@@ -187,6 +187,10 @@ float highlight_nit(int kind, AreaLight a) {
 void add_area_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
     AreaLight a = area_light(kind, light, p.position);
     float lx_per_nit = area_illuminance(kind, p.g.normal, a);
+    // Triangles of emissive surfaces have no shadow maps.
+    if (kShadowKinds != 0u && kind != kLightTriangle && lx_per_nit * max_component(a.nit) > 0.0) {
+        a.nit *= light_visibility(light, p.position, p.facet, normalize(a.to_center_m), p.pixel);
+    }
     vec3 l = area_direction(kind, p.g.normal, a);
     vec3 h = normalize(p.v + l);
     float NoL = saturate(dot(p.g.normal, l));

@@ -22,7 +22,7 @@ void main() {
     vec3 emissive_nit;
     float facing = has(kDoubleSided) && !gl_FrontFacing ? -1.0 : 1.0;
     GBuffer g = evaluate_material(base_alpha, facing, emissive_nit);
-    if (has(kAlphaMask) && base_alpha.a < material.emissive_nit.w) discard;
+    if (masked_out(base_alpha)) discard;
     out_gbuffer = pack_gbuffer(g);
 #ifdef GBUFFER_ALL_TARGETS
     // An unlit colour is display-referred: it shows as written whatever the exposure.

@@ -1,7 +1,7 @@
 // The body of the lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all light is
 // summed in 32 bit, and the result is written pre-exposed (Frostbite 5.2). Includers say how a surface is lit:
-// light_surface(), LIGHT_FORMAT of the light buffer, kLightLimit, the largest number that fits it, and whether the surface's
-// position is needed (kNeedsPosition).
+// light_surface(), defined after this file because it may read the images here, LIGHT_FORMAT of the light buffer,
+// kLightLimit, the largest number that fits it, and whether the surface's position is needed (kNeedsPosition).
 #ifndef CANDELA_LIGHT_PIXELS_GLSL
 #define CANDELA_LIGHT_PIXELS_GLSL
 
@@ -23,6 +23,8 @@ layout(set = 0, binding = kShadingBindings + 6, rgba32f) writeonly uniform image
 layout(set = 0, binding = kShadingBindings + 7, rgba32f) writeonly uniform image2D indirect_diffuse_image;
 layout(set = 0, binding = kShadingBindings + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
 layout(set = 0, binding = kShadingBindings + 9, rgba32f) writeonly uniform image2D emissive_image;
+
+Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel);
 
 void write_aovs(ivec2 pixel, Lit lit, vec3 emissive_nit) {
     imageStore(direct_diffuse_image, pixel, vec4(lit.direct_diffuse, 1.0));

@@ -1,54 +1,13 @@
-// Set 1: one material. Evaluates every factor and texture of glTF 2.0 and the KHR_materials_* extensions into a
-// G-buffer entry. C++: MaterialBlock, Feature and TextureSlotName.
+// Evaluates every factor and texture of glTF 2.0 and the KHR_materials_* extensions into a G-buffer entry.
 #ifndef CANDELA_MATERIAL_GLSL
 #define CANDELA_MATERIAL_GLSL
 
-#include "gbuffer.glsl"
-#include "features.glsl"
+#include "base_color.glsl"
 #include "footprint.glsl"
-
-layout(set = 1, binding = 0, std140) uniform Material {
-    vec4 base_color;
-    vec4 emissive_nit;
-    vec4 specular_color;
-    vec4 metallic_roughness;
-    vec4 sheen;
-    vec4 clearcoat_anisotropy;
-    vec4 f0_rotation;
-    vec4 uv[26];
-} material;
-layout(set = 1, binding = 1) uniform sampler2D base_color_map;
-layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_map;
-layout(set = 1, binding = 3) uniform sampler2D normal_map;
-layout(set = 1, binding = 4) uniform sampler2D occlusion_map;
-layout(set = 1, binding = 5) uniform sampler2D emissive_map;
-layout(set = 1, binding = 6) uniform sampler2D specular_map;
-layout(set = 1, binding = 7) uniform sampler2D specular_color_map;
-layout(set = 1, binding = 8) uniform sampler2D clearcoat_map;
-layout(set = 1, binding = 9) uniform sampler2D clearcoat_roughness_map;
-layout(set = 1, binding = 10) uniform sampler2D clearcoat_normal_map;
-layout(set = 1, binding = 11) uniform sampler2D sheen_color_map;
-layout(set = 1, binding = 12) uniform sampler2D sheen_roughness_map;
-layout(set = 1, binding = 13) uniform sampler2D anisotropy_map;
+#include "gbuffer.glsl"
 
 layout(location = 0) in vec3 in_normal;
 layout(location = 1) in vec4 in_tangent;
-layout(location = 2) in vec4 in_uv;
-layout(location = 3) in vec4 in_color;
-
-vec2 slot_uv(int slot) {
-    vec4 u = material.uv[2 * slot];
-    vec4 v = material.uv[2 * slot + 1];
-    vec2 uv = has(kUv1) && u.w > 0.5 ? in_uv.zw : in_uv.xy;
-    return vec2(u.x * uv.x + u.y * uv.y + u.z, v.x * uv.x + v.y * uv.y + v.z);
-}
-
-vec4 base_color_and_alpha() {
-    vec4 c = material.base_color;
-    if (has(kBaseColorTexture)) c *= texture(base_color_map, slot_uv(0));
-    if (has(kVertexColor)) c *= in_color;
-    return c;
-}
 
 // Mip-mapping shortens averaged normals; their length says how much roughness was lost (Frostbite 5.3).
 vec3 tangent_space_normal(sampler2D map, vec2 uv, float scale) {

@@ -24,11 +24,11 @@ void add_punctual_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
     vec3 specular;
     evaluate(p, l, NoL, diffuse, specular);
     vec3 illuminance_lx = perpendicular_lx * NoL;
+    if (kShadowKinds != 0u && max_component(illuminance_lx) > 0.0) {
+        illuminance_lx *= light_visibility(light, p.position, p.facet, l, p.pixel);
+    }
     lit.direct_diffuse += diffuse * illuminance_lx;
     lit.direct_specular += specular * illuminance_lx;
-}
-void add_punctual_light(Light light, SurfacePoint p, inout Lit lit) {
-    add_punctual_light(int(light.color_type.w), light, p, lit);
 }
 
 #endif

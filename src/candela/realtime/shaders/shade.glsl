@@ -5,6 +5,7 @@
 
 #include "gbuffer.glsl"
 #include "lights.glsl"
+#include "shadows.glsl"
 #include "dfg.glsl"
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
@@ -39,7 +40,7 @@ layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_e
 layout(set = 0, binding = 8, std430) readonly buffer Profiles { float profile_cd[]; };
 layout(set = 0, binding = 9) uniform sampler2D ltc_table;
 // Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
-const int kShadingBindings = 10;
+const int kShadingBindings = 12;
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -77,6 +78,8 @@ struct SurfacePoint {
     float NoV;
     vec4 dfg;
     AreaSurface area;
+    vec4 facet;  // for shadows: unit normal of the surface itself, without normal maps; w: see light_visibility()
+    ivec2 pixel;
 };
 
 SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
@@ -94,6 +97,8 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     p.NoV = clamp(dot(p.g.normal, v), 1.0e-4, 1.0);
     p.dfg = directional_albedo(p.NoV, g.surface.perceptual_roughness);
     p.prepared = prepare_surface(g.surface, techniques(), p.NoV, p.dfg);
+    p.facet = vec4(p.g.normal, 0.0);
+    p.pixel = ivec2(0);
     return p;
 }
 
@@ -146,9 +151,12 @@ void add_environment(SurfacePoint p, inout Lit lit) {
                             w.sheen * irradiance_over_pi * g.occlusion;
 }
 
-// first_light: of the list that holds for this point (light_loop.glsl).
-Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light) {
+// first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the
+// viewer's side; read only where lights have shadows.
+Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light, vec4 facet, ivec2 pixel) {
     SurfacePoint p = surface_point(g, position, v);
+    p.facet = facet;
+    p.pixel = pixel;
     Lit lit = kNoLight;
     if (kHasLights) add_lights(p, first_light, lit);
     if (kHasEnvironment) add_environment(p, lit);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "candela/realtime/shadow_plan.hpp"
+
+namespace candela::realtime {
+
+/// std430 layout of shaders/shadows.glsl. A distant light has one for each of its cascades, one after the
+/// other.
+struct ShadowRecord {
+    glm::vec4 right;  ///< rows that take a point of the world into the record's frame, m
+    glm::vec4 up;
+    glm::vec4 forward;  ///< away from the light
+    glm::vec4 texels;   ///< xy: per unit of x/z (of x for cascades); zw: centre of the tile, or half a face
+    glm::vec4 numbers;  ///< x near plane (cascades: depth of the frame), y depth of the light's centre, z
+                        ///< half the tile in texels, w length of a texel at 1 m (cascades: anywhere), m
+    glm::vec4 extent;   ///< xy half size of what shines, m (sun: of its disc at 1 m); z shape
+    glm::uvec4 faces;   ///< x, y, z: corners of a cube's tiles in units of 64 texels, 8 bits each; w cascades
+                        ///< from here on
+};
+
+/// How `extent` is spread; numbers of shaders/shadows.glsl.
+enum class ShadowShape : std::uint32_t {
+    point,
+    facing_disc,  ///< towards the receiver
+    disc,         ///< across the light's own axes
+    rectangle,
+    tube,  ///< along `right` and across the line of sight
+};
+
+struct ShadowView {
+    glm::mat4 world_to_clip{1.0f};  ///< reversed depth
+    AtlasTile tile;
+    bool operator==(const ShadowView&) const = default;
+};
+
+struct LightViews {
+    std::vector<ShadowRecord> records;
+    std::vector<ShadowView> views;
+};
+
+/// A light that stays where it is whatever the camera does.
+[[nodiscard]] LightViews local_views(const scene::Light& light, const LightShadow& shadow);
+
+/// Parallel projections that follow the camera. Their axes turn with the light alone, their sizes change in
+/// steps and their corners move by whole texels, so that a moving camera does not make edges crawl.
+[[nodiscard]] LightViews cascade_views(const scene::Light& light, const LightShadow& shadow,
+                                       const scene::Camera& camera, float aspect, const scene::Aabb& bounds);
+
+}  // namespace candela::realtime
