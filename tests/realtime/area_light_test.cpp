@@ -226,23 +226,23 @@ TEST(AreaLight, TheSunsDiscShowsWhatItsIlluminanceMakesOfIt) {
 TEST(EmissiveLights, TwoTrianglesAreTheirRectangle) {
     scene::Material glowing = grey(0.0f);
     glowing.emissive_nit = glm::vec3(kNit);
-    const std::vector<realtime::LightBlock> lights =
+    const std::vector<realtime::EmissiveLight> lights =
         realtime::emissive_lights(scene_of(square(0.4f), glowing));
     ASSERT_EQ(lights.size(), 1u);
-    EXPECT_EQ(lights[0].color_type, glm::vec4(kNit, kNit, kNit, float(scene::LightType::rectangle)));
-    EXPECT_NEAR(glm::length(glm::vec3(lights[0].position_range)), 0.0f, 1e-6f);
-    EXPECT_NEAR(lights[0].direction_a.z, 1.0f, 1e-6f);
-    EXPECT_NEAR(lights[0].direction_a.w * lights[0].right_b.w, 0.16f, 1e-6f);
+    EXPECT_EQ(lights[0].block.color_type, glm::vec4(kNit, kNit, kNit, float(scene::LightType::rectangle)));
+    EXPECT_NEAR(glm::length(glm::vec3(lights[0].block.position_range)), 0.0f, 1e-6f);
+    EXPECT_NEAR(lights[0].block.direction_a.z, 1.0f, 1e-6f);
+    EXPECT_NEAR(lights[0].block.direction_a.w * lights[0].block.right_b.w, 0.16f, 1e-6f);
 }
 
 TEST(EmissiveLights, ASphereOfManyTrianglesIsASphere) {
     scene::Material glowing = grey(0.0f);
     glowing.emissive_nit = glm::vec3(kNit);
-    const std::vector<realtime::LightBlock> lights =
+    const std::vector<realtime::EmissiveLight> lights =
         realtime::emissive_lights(scene_of(test::sphere(0.3f), glowing));
     ASSERT_EQ(lights.size(), 1u);
-    EXPECT_EQ(lights[0].color_type.w, float(scene::LightType::sphere));
-    EXPECT_NEAR(lights[0].right_b.w, 0.3f, 0.002f);
+    EXPECT_EQ(lights[0].block.color_type.w, float(scene::LightType::sphere));
+    EXPECT_NEAR(lights[0].block.right_b.w, 0.3f, 0.002f);
 }
 
 TEST(EmissiveLights, APanelThatGlowsLightsThePlaneAsTheRectangleDoes) {

@@ -92,15 +92,15 @@ std::vector<std::vector<Piece>> collect_parts(const scene::Scene& scene) {
     return parts;
 }
 
-LightBlock block_of(scene::Light light, const glm::vec3& nit) {
+EmissiveLight light_of(scene::Light light, const glm::vec3& nit) {
     light.color = nit;
     light.intensity = 1.0f;
     light.visible = false;  // the surface itself is
-    return light_block(light);
+    return {light_block(light), light};
 }
 
 /// The rectangle that two neighbouring triangles of a list make: the second has the first one's longest side.
-std::optional<LightBlock> rectangle_of(const Piece& a, const Piece& b) {
+std::optional<EmissiveLight> rectangle_of(const Piece& a, const Piece& b) {
     if (a.nit != b.nit || a.two_sided != b.two_sided) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::vec3 corner = a.corners[i];
@@ -125,7 +125,7 @@ std::optional<LightBlock> rectangle_of(const Piece& a, const Piece& b) {
             light.half_width_m = 0.5f * height_m;
             light.half_height_m = 0.5f * width_m;
             light.two_sided = a.two_sided;
-            return block_of(light, a.nit);
+            return light_of(light, a.nit);
         }
     }
     return std::nullopt;
@@ -142,15 +142,15 @@ LightBlock triangle_block(const Piece& piece) {
     return block;
 }
 
-std::vector<LightBlock> pieces_of(const std::vector<Piece>& part) {
-    std::vector<LightBlock> blocks;
+std::vector<EmissiveLight> pieces_of(const std::vector<Piece>& part) {
+    std::vector<EmissiveLight> lights;
     for (std::size_t i = 0; i < part.size(); ++i) {
-        const std::optional<LightBlock> rectangle =
+        const std::optional<EmissiveLight> rectangle =
             i + 1 < part.size() ? rectangle_of(part[i], part[i + 1]) : std::nullopt;
-        blocks.push_back(rectangle ? *rectangle : triangle_block(part[i]));
+        lights.push_back(rectangle ? *rectangle : EmissiveLight{triangle_block(part[i]), std::nullopt});
         if (rectangle) ++i;
     }
-    return blocks;
+    return lights;
 }
 
 /// Sums over a group. Of two-sided pieces both sides count, and their normals cancel.
@@ -197,7 +197,7 @@ std::pair<Group, Group> halves(Group group) {
     return {Group(std::move(group.pieces)), Group(std::move(second))};
 }
 
-void add_group(const Group& group, std::vector<LightBlock>& blocks) {
+void add_group(const Group& group, std::vector<EmissiveLight>& lights) {
     constexpr float negligible = 0.02f;
     const float front_m2 = glm::length(group.vector_area);
     const float rest_m2 = group.area_m2 - front_m2;
@@ -209,17 +209,17 @@ void add_group(const Group& group, std::vector<LightBlock>& blocks) {
         light.radius_m = std::sqrt(front_m2 / kPi);
         const glm::vec3 aside = std::abs(light.direction.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
         light.right = glm::normalize(glm::cross(aside, light.direction));
-        blocks.push_back(block_of(light, group.nit));
+        lights.push_back(light_of(light, group.nit));
     }
     if (rest_m2 > negligible * group.area_m2) {
         light.type = scene::LightType::sphere;
         light.radius_m = std::sqrt(rest_m2 / (4.0f * kPi));
-        blocks.push_back(block_of(light, group.nit));
+        lights.push_back(light_of(light, group.nit));
     }
 }
 
 /// Each group makes two lights at most.
-std::vector<LightBlock> grouped(std::vector<std::vector<Piece>> parts) {
+std::vector<EmissiveLight> grouped(std::vector<std::vector<Piece>> parts) {
     constexpr std::size_t most_groups = kMostEmissivePieces / 2;
     std::vector<Group> groups;
     if (parts.size() > most_groups) {
@@ -241,26 +241,26 @@ std::vector<LightBlock> grouped(std::vector<std::vector<Piece>> parts) {
         *longest = std::move(first);
         groups.push_back(std::move(second));
     }
-    std::vector<LightBlock> blocks;
-    for (const Group& group : groups) add_group(group, blocks);
-    return blocks;
+    std::vector<EmissiveLight> lights;
+    for (const Group& group : groups) add_group(group, lights);
+    return lights;
 }
 
 }  // namespace
 
-std::vector<LightBlock> emissive_lights(const scene::Scene& scene) {
+std::vector<EmissiveLight> emissive_lights(const scene::Scene& scene) {
     std::vector<std::vector<Piece>> parts = collect_parts(scene);
     std::size_t triangles = 0;
     for (const auto& part : parts) triangles += part.size();
     if (triangles <= 2 * kMostEmissivePieces) {
-        std::vector<LightBlock> blocks;
+        std::vector<EmissiveLight> lights;
         for (const auto& part : parts) {
-            const std::vector<LightBlock> pieces = pieces_of(part);
-            blocks.insert(blocks.end(), pieces.begin(), pieces.end());
+            const std::vector<EmissiveLight> pieces = pieces_of(part);
+            lights.insert(lights.end(), pieces.begin(), pieces.end());
         }
-        if (blocks.size() <= kMostEmissivePieces) return blocks;
+        if (lights.size() <= kMostEmissivePieces) return lights;
     }
-    return parts.empty() ? std::vector<LightBlock>{} : grouped(std::move(parts));
+    return parts.empty() ? std::vector<EmissiveLight>{} : grouped(std::move(parts));
 }
 
 }  // namespace candela::realtime

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "candela/realtime/light_block.hpp"
@@ -11,6 +12,12 @@ namespace candela::realtime {
 /// triangles make one, else triangles. More of them are put together, all of their power kept.
 inline constexpr std::size_t kMostEmissivePieces = 32;
 
+struct EmissiveLight {
+    LightBlock block;
+    std::optional<scene::Light>
+        shape;  ///< the same as a light of the scene, for its shadow; triangles have none
+};
+
 /// The lights of what glows in a scene, unlit materials apart. Textured emission is its mean over a triangle.
 ///
 /// A group of pieces is a disk and a sphere of the group's mean luminance: the disk has the pieces' vector
@@ -18,6 +25,6 @@ inline constexpr std::size_t kMostEmissivePieces = 32;
 /// sphere the area that is left, which is all of it for a closed surface. Both together give the power of the
 /// pieces, and a sphere of triangles gives the light of the sphere. Groups are the meshes of the scene, cut
 /// in halves where they are long; there are at most kMostEmissivePieces of them.
-[[nodiscard]] std::vector<LightBlock> emissive_lights(const scene::Scene& scene);
+[[nodiscard]] std::vector<EmissiveLight> emissive_lights(const scene::Scene& scene);
 
 }  // namespace candela::realtime

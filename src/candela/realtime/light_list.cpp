@@ -101,7 +101,14 @@ LightList light_list(const scene::Scene& scene, bool with_emissive) {
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i)
         rows.push_back(row_of(scene.lights[i], i, profiles));
     if (with_emissive) {
-        for (const LightBlock& block : emissive_lights(scene)) rows.push_back(emissive_row(block));
+        for (const EmissiveLight& light : emissive_lights(scene)) {
+            Row row = emissive_row(light.block);
+            if (light.shape) {
+                row.source = static_cast<std::uint32_t>(scene.lights.size() + list.emissive_shapes.size());
+                list.emissive_shapes.push_back(*light.shape);
+            }
+            rows.push_back(row);
+        }
     }
     std::stable_sort(rows.begin(), rows.end(),
                      [](const Row& a, const Row& b) { return a.block.color_type.w < b.block.color_type.w; });

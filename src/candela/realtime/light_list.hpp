@@ -44,8 +44,9 @@ struct LightReach {
 struct LightList {
     std::vector<LightBlock> blocks;
     std::vector<LightReach> reaches;
-    std::vector<std::uint32_t>
-        sources;                    ///< of each the index into Scene::lights; no_index: emissive surfaces
+    /// Of each the index into Scene::lights, after those into emissive_shapes; no_index: emissive triangles.
+    std::vector<std::uint32_t> sources;
+    std::vector<scene::Light> emissive_shapes;
     std::vector<float> profile_cd;  ///< the tables of all profiles, one after the other
     std::uint32_t kinds = 0;        ///< kind_bit() of every kind that occurs
     std::uint32_t bounded = 0;      ///< lights that do not reach everywhere

@@ -33,7 +33,8 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     if (options.integrate) frame.integrate = options.integrate->strategy;
     frame.write_aovs = options.aovs;
     frame.has_environment = scene.environment.has_value();
-    if (options.shadows.maps && !options.integrate) frame.shadow_kinds = shadow_kind_bits(scene);
+    if (options.shadows.maps && !options.integrate)
+        frame.shadow_kinds = shadow_kind_bits(scene, gpu_scene.light_list.emissive_shapes);
     frame.all_targets = gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs;
 
     const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {

@@ -45,13 +45,15 @@ bool still_fits(const std::vector<ShadowRequest>& planned, const std::vector<Sha
 
 }  // namespace
 
-std::uint32_t shadow_kind_bits(const scene::Scene& scene) {
+std::uint32_t shadow_kind_bits(const scene::Scene& scene, std::span<const scene::Light> emissive_shapes) {
     std::uint32_t kinds = 0;
-    for (const scene::Light& light : scene.lights) {
-        if (!light.casts_shadow) continue;
+    const auto add = [&](const scene::Light& light) {
+        if (!light.casts_shadow) return;
         const bool soft = scene::has_extent(light.type) || light.type == scene::LightType::line;
         kinds |= 1u << static_cast<std::uint32_t>(shadow_kind(light)) | (soft ? 8u : 16u);
-    }
+    };
+    std::for_each(scene.lights.begin(), scene.lights.end(), add);
+    std::for_each(emissive_shapes.begin(), emissive_shapes.end(), add);
     return scene::world_bounds(scene).empty() ? 0 : kinds;
 }
 
@@ -64,6 +66,9 @@ ShadowPass::ShadowPass(const gpu::Device& device, const FrameResources& frame, c
       descriptors_(device) {
     if (!frame.shadow_kinds) return;
     lights_ = scene.lights;
+    first_emissive_ = static_cast<std::uint32_t>(lights_.size());
+    const std::vector<scene::Light>& emissive = gpu_scene.light_list.emissive_shapes;
+    lights_.insert(lights_.end(), emissive.begin(), emissive.end());
     make_pipelines(frame, gpu_scene);
 }
 
@@ -113,7 +118,8 @@ void ShadowPass::set_plan(gpu::Commands& commands, FrameResources& frame, GpuSce
             records_.resize(records_.size() + kCascades);
             continue;
         }
-        const LightViews views = local_views(lights_[shadow.light], shadow);
+        LightViews views = local_views(lights_[shadow.light], shadow);
+        for (ShadowView& view : views.views) view.of_emissive_surface = shadow.light >= first_emissive_;
         records_.insert(records_.end(), views.records.begin(), views.records.end());
         pending_.insert(pending_.end(), views.views.begin(), views.views.end());
     }
@@ -197,6 +203,9 @@ void ShadowPass::draw(gpu::Commands& commands, const ShadowView& view, const Gpu
     const Draw* last = nullptr;
     for (const Draw& d : gpu_scene.draws) {
         if (!casts(d) || !in_view(view.world_to_clip, d.world_bounds)) continue;
+        // The surface that shines must not stand in its own light, and need not lie within the shape that it
+        // is taken for.
+        if (view.of_emissive_surface && (d.features & feature_emissive) != 0) continue;
         const std::uint32_t features = shadow_features(d);
         if (!last || shadow_features(*last) != features) {
             vk.vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_GRAPHICS,

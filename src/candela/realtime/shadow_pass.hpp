@@ -31,7 +31,8 @@ class ShadowPass {
     const gpu::Device* device_;
     std::uint32_t budget_texels_;
     scene::Aabb bounds_;
-    std::vector<scene::Light> lights_;
+    std::vector<scene::Light> lights_;  ///< of the scene, then emissive surfaces
+    std::uint32_t first_emissive_ = 0;
     ShadowPlan plan_;
     std::vector<ShadowRequest> planned_for_;
     std::vector<ShadowRecord> records_;
@@ -46,6 +47,7 @@ class ShadowPass {
 
 /// Bits of the specialization constant kShadowKinds: 1 << ShadowKind for each kind that the scene's lights
 /// need, then one for lights with extent and one for those without.
-[[nodiscard]] std::uint32_t shadow_kind_bits(const scene::Scene& scene);
+[[nodiscard]] std::uint32_t shadow_kind_bits(const scene::Scene& scene,
+                                             std::span<const scene::Light> emissive_shapes);
 
 }  // namespace candela::realtime

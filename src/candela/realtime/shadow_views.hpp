@@ -34,6 +34,7 @@ enum class ShadowShape : std::uint32_t {
 struct ShadowView {
     glm::mat4 world_to_clip{1.0f};  ///< reversed depth
     AtlasTile tile;
+    bool of_emissive_surface = false;  ///< of a light that an emissive surface is
     bool operator==(const ShadowView&) const = default;
 };
 
