@@ -52,7 +52,7 @@ float area_highlight_lobe(int kind, AreaLight a, vec3 n, vec3 v, float alpha, ou
         if (kAreaSpecular == kAreaSpecularDominantDirection) mirror = specular_dominant_direction_area(n, mirror, alpha);
         point = area_highlight_point(kind, a, mirror, alpha, normalization);
     }
-    l = normalize(point);
+    l = direction_of(point);
     return normalization * specular_at_point(n, v, point, alpha, lobe_alpha);
 }
 

@@ -96,17 +96,6 @@ AreaLight area_light(int kind, Light light, vec3 position) {
     return a;
 }
 
-float triangle_projected_solid_angle(vec3 n, AreaLight a) {
-    float distance2 = dot(a.to_center_m, a.to_center_m);
-    float height_m = -dot(a.direction, a.to_center_m);
-    // As for rectangles: the edges of a small outline cancel.
-    if (square(a.radius_m) < 1.0e-5 * distance2) {
-        return PI * square(a.radius_m) * max(height_m, 0.0) * max(dot(n, a.to_center_m), 0.0) / square(distance2);
-    }
-    float sr = quad_projected_solid_angle(n, a.corners[0], a.corners[1], a.corners[2], a.corners[2]);
-    return height_m > 0.0 ? max(sr, 0.0) : 0.0;
-}
-
 float rectangle_illuminance(vec3 n, AreaLight a) {
     vec3 c = a.to_center_m;
     float w = a.half_width_m;
@@ -158,14 +147,14 @@ float area_illuminance(int kind, vec3 n, AreaLight a) {
     if (kind == kLightDisk) return disk_illuminance(n, a);
     if (kind == kLightRectangle) return rectangle_illuminance(n, a);
     if (kind == kLightTube) return tube_illuminance(n, a);
-    if (kind == kLightTriangle) return triangle_projected_solid_angle(n, a);
+    if (kind == kLightTriangle) return triangle_projected_solid_angle(n, a.corners[0], a.corners[1], a.corners[2]);
     return sphere_illuminance(n, a);
 }
 
 // The direction in which lobes are taken that are evaluated once for the whole light; n . l > 0. Frostbite 4.7.4.
 vec3 area_direction(int kind, vec3 n, AreaLight a) {
     if (kAreaDiffuse == kAreaDiffuseLightPosition || kind == kLightTriangle) {
-        return direction_above_horizon(n, normalize(a.to_center_m));
+        return direction_above_horizon(n, direction_of(a.to_center_m));
     }
     if (kind == kLightDisk) return disk_representative_direction(n, a.to_center_m, a.direction, a.radius_m);
     if (kind == kLightRectangle) {
