@@ -80,7 +80,7 @@ AreaLight area_light(int kind, Light light, vec3 position) {
         // The sphere at 1 m that fills the sun's disc. Limb darkening changes what is seen of it, not its illuminance.
         a.to_center_m = -a.direction;
         a.radius_m = sin(light.right_b.w);
-        a.nit *= INV_PI / square(a.radius_m);
+        a.nit *= sun_nit_from_lx(1.0, 2.0 * light.right_b.w);
         return a;
     }
     a.to_center_m = light.position_range.xyz - position;
@@ -168,7 +168,7 @@ vec3 area_direction(int kind, vec3 n, AreaLight a) {
 
 // Where a line's highlight has a luminance, its cd become that of the thin tube that gives them.
 float highlight_nit(int kind, AreaLight a) {
-    return kind == kLightLine ? 1.0 / (4.0 * kLineRadius_m * max(a.half_width_m, 1.0e-4)) : 1.0;
+    return kind == kLightLine ? 1.0 / tube_projected_area(kLineRadius_m, 2.0 * a.half_width_m) : 1.0;
 }
 
 #include "area_highlights.glsl"
@@ -193,6 +193,9 @@ void add_area_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
 // What of the surface all area lights need.
 void prepare_area_lights(inout SurfacePoint p) {
     Surface s = p.g.surface;
+    // An emissive surface is a light on itself. Off it on the viewer's side, further than the depth buffer's rounding: on the
+    // other side a light that shines both ways would fill the hemisphere.
+    p.position += p.g.normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
     if (kAreaSpecular == kAreaSpecularLtc) {
         p.area.ltc = ltc_inverse_matrix(textureLod(ltc_table, ltc_uv(p.NoV, s.perceptual_roughness), 0.0));
     }
