@@ -50,7 +50,7 @@ FN vec3 null_vector(vec3 p, vec3 q, vec3 r, float shift) {
 // The cone of the ellipse ellipse_center + cos(t) ellipse_u + sin(t) ellipse_w (u and w conjugate, not necessarily orthogonal). Its principal axes are the
 // eigenvectors of u u^T + w w^T - center center^T, whose eigenvalues but for the sign are the parameters of the three quadrics
 // through the receiver that are confocal with the ellipse; one is negative and belongs to the axis. Heitz & Hill 2017,
-// "Linear-Light Shading with Linearly Transformed Cosines", take the eigenvectors of the inverse form instead; here the better
+// "Real-Time Line- and Disk-Light Shading", take the eigenvectors of the inverse form instead; here the better
 // conditioned one of the two is used, and the widths come from invariants that are sums of squares.
 FN OrientedCone oriented_cone(vec3 n, vec3 ellipse_center, vec3 ellipse_u, vec3 ellipse_w) {
     // Only directions count: of size 1, the squares of squares below stay within a float's range.

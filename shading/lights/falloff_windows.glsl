@@ -7,9 +7,11 @@
 
 CANDELA_SHADING_BEGIN
 
-// Equation 23, Window2: reaches 0 at the range at an angle.
-FN float window_attenuation_linear(float distance_m, float range_m) {
-    return saturate(1.0f - square(distance_m / range_m));
+// Equation 23, Window2: 1 minus the 20th power of distance over range, which leaves most of the range as it is and reaches 0
+// at a steep angle.
+FN float window_attenuation_cutoff(float distance_m, float range_m) {
+    float x4 = square(square(distance_m / range_m));
+    return saturate(1.0f - square(square(x4)) * x4);
 }
 
 // Figure 25, Window3.

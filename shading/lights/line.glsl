@@ -11,7 +11,7 @@ CANDELA_SHADING_BEGIN
 // Illuminance in lx per cd, with the horizon: exact. The integral over the length of
 // sin(psi) <n . l> / distance^2, psi between axis and direction; with the position along the axis as the distance from it
 // times tan(t) the integrand is cos t (n_axis sin t + n_across cos t): closed (Heitz & Hill 2017, "Real-Time Line- and
-// Disk-Light Shading", section 3.2, here with the differences of its bounds multiplied out so that nothing cancels far
+// Disk-Light Shading", here with the differences of its bounds multiplied out so that nothing cancels far
 // away, and clipped at the horizon). A lamp has a thickness: nearer than 1 cm illuminance stays what it is there.
 FN float line_illuminance(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m) {
     float half_length = max(half_length_m, 1.0e-4f);

@@ -157,7 +157,7 @@ FN float ltc_outline_end(LtcOutline outline, LtcFrame frame) {
     return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, leaves, returns)));
 }
 
-// Rectangle of uniform luminance that shines to where right x up points away from. Heitz et al. 2016, section 4.
+// Rectangle of uniform luminance that shines to where right x up points away from. Heitz et al. 2016.
 FN float ltc_rectangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
                        float half_height_m) {
     LtcFrame frame = ltc_frame(inverse_matrix, n, v);
@@ -200,7 +200,7 @@ FN float ltc_cone(LtcFrame frame, OrientedCone c) {
     return ltc_outline_end(o, frame);
 }
 
-// One-sided disk, `direction` (unit) being the way it shines. Heitz & Hill 2017, section 4.
+// One-sided disk, `direction` (unit) being the way it shines. Heitz & Hill 2017.
 FN float ltc_disk(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 direction, float radius_m) {
     if (dot(direction, to_center_m) >= 0.0f) return 0.0f;
     vec3 t;
@@ -224,7 +224,7 @@ FN OrientedCone ltc_sphere_cone(mat3 to_cosine, vec3 to_center_m, float radius_m
     return oriented_cone(kCosineNormal, to_cosine * (axis * cosine), to_cosine * (t * sine), to_cosine * (b * sine));
 }
 
-// Sphere: the disk that fills the same directions. Heitz & Hill 2017, section 4.
+// Sphere: the disk that fills the same directions. Heitz & Hill 2017.
 FN float ltc_sphere(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, float radius_m) {
     LtcFrame frame = ltc_frame(inverse_matrix, n, v);
     return ltc_cone(frame, ltc_sphere_cone(frame.to_cosine, to_center_m, radius_m));
@@ -263,7 +263,7 @@ FN float ltc_tube(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 ax
     return ltc_outline_end(o, frame);
 }
 
-// A line without thickness, per metre of radius: its integral times the radius is a thin tube's. Heitz & Hill 2017, section 3, integrate
+// A line without thickness, per metre of radius: its integral times the radius is a thin tube's. Heitz & Hill 2017 integrate
 // along the line; here it is a tube of a thousandth of the distance, which no lobe of this model resolves (its
 // half width is 2 kMinAlpha) and whose outline's two long edges still differ by four digits.
 FN float ltc_line(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 axis, float half_length_m) {

@@ -1,6 +1,6 @@
 // How punctual lights fade with distance and angle.
-// Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4 and listing 4; KHR_lights_punctual asks for
-// the same.
+// Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4 and listing 4; KHR_lights_punctual recommends the same
+// cone, and the window without its square, which would end the light with an edge.
 #ifndef CANDELA_LIGHTS_PUNCTUAL_GLSL
 #define CANDELA_LIGHTS_PUNCTUAL_GLSL
 

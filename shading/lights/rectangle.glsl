@@ -49,13 +49,29 @@ FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) 
 FN float rectangle_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
                                          float half_height_m) {
     float height_m = dot(cross(right, up), to_center_m);  // of the receiver over the light's plane
-    if (!(height_m > 0.0f)) return 0.0f;
+    // On the light itself rounding alone says on which side of the horizon its corners are.
+    if (!(height_m > 1.0e-6f * (half_width_m + half_height_m))) return 0.0f;
     float distance2 = dot(to_center_m, to_center_m);
     if (square(half_width_m) + square(half_height_m) < 1.0e-5f * distance2)
         return 4.0f * half_width_m * half_height_m * height_m * max(dot(n, to_center_m), 0.0f) /
                max(square(distance2), 1.0e-37f);
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
     return max(quad_projected_solid_angle(n, c.p0, c.p1, c.p2, c.p3), 0.0f);
+}
+
+// Triangle of corners in the order of rectangle_corners, so that their cross product points away from where it shines; exact, and
+// far away a point, as above.
+FN float triangle_projected_solid_angle(vec3 n, vec3 a, vec3 b, vec3 c) {
+    vec3 twice_area = cross(b - a, c - a);
+    float twice_area_m2 = length(twice_area);
+    float height_area_m3 = 0.5f * dot(twice_area, a);  // the receiver's height over the plane, times the area
+    if (!(2.0f * height_area_m3 > 1.0e-6f * sqrt(twice_area_m2) * twice_area_m2)) return 0.0f;
+    vec3 to_center_m = (a + b + c) / 3.0f;
+    float distance2 = dot(to_center_m, to_center_m);
+    // The disk of the same area stands for its size.
+    if (0.5f * INV_PI * twice_area_m2 < 1.0e-5f * distance2)
+        return height_area_m3 * max(dot(n, to_center_m), 0.0f) / max(square(distance2), 1.0e-37f);
+    return max(quad_projected_solid_angle(n, a, b, c, c), 0.0f);
 }
 
 // Arvo 1994 as in Frostbite listing E.1: the outline's integral without the horizon.

@@ -6,6 +6,7 @@
 #define CANDELA_LIGHTS_REPRESENTATIVE_POINT_GLSL
 
 #include "../microfacet.glsl"
+#include "contour.glsl"
 
 CANDELA_SHADING_BEGIN
 
@@ -19,7 +20,7 @@ FN vec3 representative_point_sphere(vec3 to_center_m, vec3 mirror, float radius_
 
 // GGX width that stands for the lobe convolved with the light's disc: Karis 2013, equation 10.
 FN float alpha_widened_by_sphere(float alpha, float radius_m, float distance_m) {
-    return saturate(alpha + radius_m / (3.0f * distance_m));
+    return saturate(alpha + radius_m / max(3.0f * distance_m, 1.0e-20f));
 }
 
 // Factor on the lobe that takes back the energy which moving the point has added: Karis 2013, equation 14.
@@ -28,9 +29,10 @@ FN float representative_point_sphere_normalization(float alpha, float radius_m, 
 }
 
 // D V of the light in one direction, 1/sr: the BRDF without Fresnel. distribution_alpha: for D; that of the surface, but for the
-// "specular D modification", which widens it (Karis 2013, equation 10) and leaves the light where it is.
+// "specular D modification", which widens it (Karis 2013, equation 10) and leaves the light where it is. A receiver on the light
+// is its own nearest point, the null vector, and gets nothing.
 FN float specular_at_point(vec3 n, vec3 v, vec3 to_point_m, float alpha, float distribution_alpha) {
-    vec3 l = normalize(to_point_m);
+    vec3 l = direction_of(to_point_m);
     float NoL = dot(n, l);
     if (NoL <= 0.0f) return 0.0f;
     return D_GGX(n, normalize(v + l), distribution_alpha) * V_SmithGGXCorrelated(max(dot(n, v), 0.0f), NoL, alpha);

@@ -112,6 +112,36 @@ TEST(Limits, TouchingTheSurface) {
     EXPECT_NEAR(disk_projected_solid_angle(kUp, 1.0e-4f * kUp, -kUp, 1.0f), PI, 1e-3f);
 }
 
+// An emissive surface is a light, and every point of it a receiver: rounding alone says on which side of it.
+TEST(Limits, AReceiverOnTheLightGetsNothingOfIt) {
+    RandomNumbers u;
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 n(u.direction());
+        const vec3 right(u.perpendicular(glm::dvec3(n)));
+        const vec3 up = glm::cross(right, -n);  // shines along n
+        const vec3 center(u.direction() * u(0.0, 5.0));
+        const vec3 receiver = center + right * float(u(-0.5, 0.5)) + up * float(u(-0.3, 0.3));
+        const vec3 c = center - receiver;
+        EXPECT_LT(rectangle_projected_solid_angle(n, c, right, up, 0.5f, 0.3f), 1e-4f) << i;
+        const RectangleCorners q = rectangle_corners(c, right, up, 0.5f, 0.3f);
+        EXPECT_LT(triangle_projected_solid_angle(n, q.p0, q.p1, q.p2), 1e-4f) << i;
+    }
+}
+
+TEST(Limits, TwoTrianglesAreTheirRectangle) {
+    RandomNumbers u;
+    for (int i = 0; i < 500; ++i) {
+        const vec3 n(u.direction());
+        const vec3 right(u.direction());
+        const vec3 up(u.perpendicular(glm::dvec3(right)));
+        const vec3 c(u.direction() * u(0.1, 30.0));
+        const RectangleCorners q = rectangle_corners(c, right, up, 0.8f, 0.3f);
+        const float triangles = triangle_projected_solid_angle(n, q.p0, q.p1, q.p2) +
+                                triangle_projected_solid_angle(n, q.p0, q.p2, q.p3);
+        EXPECT_NEAR(triangles, rectangle_projected_solid_angle(n, c, right, up, 0.8f, 0.3f), 1e-5f) << i;
+    }
+}
+
 TEST(Limits, CrossingTheSurfaceIsContinuous) {
     // A light is lowered through the receiver's plane: no step, never brighter, 0 in the end.
     const auto lower = [](auto f, float from, float to) {

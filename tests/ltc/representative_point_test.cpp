@@ -33,6 +33,24 @@ Segment segment_ahead(uint k, const vec3& mirror) {
     return {center - half, center + half};
 }
 
+// The representative point of a flat light on whose surface the receiver is, is the receiver.
+TEST(RepresentativePoint, OnTheLightItselfIsNoHighlight) {
+    const vec3 n(0.0f, 0.0f, 1.0f);
+    const vec3 x(1.0f, 0.0f, 0.0f);
+    const vec3 y(0.0f, -1.0f, 0.0f);  // x cross y points away from where it shines
+    for (uint k = 0; k < 200; ++k) {
+        const vec2 u = sobol_owen(k, 9u);
+        const vec3 v = normalize(vec3(0.9f * u.x, 0.0f, 1.0f));
+        const vec3 mirror = vec3(-v.x, 0.0f, v.z);
+        const vec3 c(u.x - 0.5f, u.y - 0.5f, 0.0f);
+        const float alpha = 0.01f + 0.9f * u.y;
+        EXPECT_EQ(specular_at_point(n, v, representative_point_rectangle(c, x, y, 1.0f, 1.0f, mirror), alpha,
+                                    alpha),
+                  0.0f);
+        EXPECT_EQ(specular_at_point(n, v, representative_point_disk(c, n, 1.0f, mirror), alpha, alpha), 0.0f);
+    }
+}
+
 TEST(RepresentativePoint, OfALineIsTheNearestToTheRay) {
     for (uint k = 0; k < 200; ++k) {
         const vec3 mirror = direction(k, 3u);

@@ -269,3 +269,14 @@ TEST(EmissiveLights, APanelThatGlowsLightsThePlaneAsTheRectangleDoes) {
     EXPECT_GT(first, 0.0f);
     EXPECT_NEAR(first + second, expected_nit, 2e-3f * expected_nit);
 }
+
+// Every pixel of an emissive surface is a receiver on a light, on whichever side of it the depth buffer's
+// rounding says.
+TEST(EmissiveLights, ASurfaceThatShinesBothWaysDoesNotLightItself) {
+    scene::Material glowing = grey(0.5f);
+    glowing.emissive_nit = glm::vec3(kNit);
+    glowing.double_sided = true;
+    const scene::Camera aside = scene::look_at({1.3f, 0.7f, 1.9f}, {0.1f, 0.05f, 0}, 0.05f);
+    const realtime::Still still = render(scene_of(square(0.4f), glowing), aside);
+    for (const auto& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, kNit, 2e-3f * kNit);
+}

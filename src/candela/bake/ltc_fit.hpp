@@ -4,7 +4,7 @@
 
 #include "candela/bake/ltc_table.hpp"
 
-/// The fit behind the table of linearly transformed cosines: Heitz et al. 2016, section 3, on the lobe D V
+/// The fit behind the table of linearly transformed cosines: Heitz et al. 2016, on the lobe D V
 /// cos of height-correlated GGX without Fresnel, over its albedo.
 namespace candela::bake {
 

@@ -20,7 +20,8 @@ vec3 area_highlight_point(int kind, AreaLight a, vec3 mirror, float alpha, out f
     normalization = 1.0;
     if (kind == kLightSun) {
         // The sun is so small that there is nothing to take back (Frostbite 4.6).
-        return representative_direction_of_sun(a.to_center_m, mirror, a.radius_m);
+        float angular_radius_rad = atan(a.radius_m, sqrt(1.0 - square(a.radius_m)));
+        return representative_direction_of_sun(a.to_center_m, mirror, angular_radius_rad);
     }
     if (kind == kLightRectangle) {
         normalization = representative_point_rectangle_normalization(alpha, a.half_width_m, a.half_height_m, distance_m);
@@ -52,13 +53,14 @@ float area_highlight_lobe(int kind, AreaLight a, vec3 n, vec3 v, float alpha, ou
         if (kAreaSpecular == kAreaSpecularDominantDirection) mirror = specular_dominant_direction_area(n, mirror, alpha);
         point = area_highlight_point(kind, a, mirror, alpha, normalization);
     }
-    l = normalize(point);
+    l = direction_of(point);
     return normalization * specular_at_point(n, v, point, alpha, lobe_alpha);
 }
 
 vec3 base_highlight(int kind, SurfacePoint p, AreaLight a, float lx_per_nit) {
     if (kAreaSpecular == kAreaSpecularLtc) {
-        // The lobe's albedo with Fresnel is in the table of the split sum (Heitz et al. 2016, section 3 in other words).
+        // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
+        // other words).
         vec3 albedo = p.prepared.specular_f0 * p.dfg.x + p.prepared.specular_f90 * p.dfg.y;
         return albedo * area_ltc(kind, p.area.ltc, p.g.normal, p.v, a);
     }

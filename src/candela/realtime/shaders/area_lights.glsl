@@ -80,7 +80,7 @@ AreaLight area_light(int kind, Light light, vec3 position) {
         // The sphere at 1 m that fills the sun's disc. Limb darkening changes what is seen of it, not its illuminance.
         a.to_center_m = -a.direction;
         a.radius_m = sin(light.right_b.w);
-        a.nit *= INV_PI / square(a.radius_m);
+        a.nit *= sun_nit_from_lx(1.0, 2.0 * light.right_b.w);
         return a;
     }
     a.to_center_m = light.position_range.xyz - position;
@@ -94,17 +94,6 @@ AreaLight area_light(int kind, Light light, vec3 position) {
         a.up = cross(a.right, a.direction);
     }
     return a;
-}
-
-float triangle_projected_solid_angle(vec3 n, AreaLight a) {
-    float distance2 = dot(a.to_center_m, a.to_center_m);
-    float height_m = -dot(a.direction, a.to_center_m);
-    // As for rectangles: the edges of a small outline cancel.
-    if (square(a.radius_m) < 1.0e-5 * distance2) {
-        return PI * square(a.radius_m) * max(height_m, 0.0) * max(dot(n, a.to_center_m), 0.0) / square(distance2);
-    }
-    float sr = quad_projected_solid_angle(n, a.corners[0], a.corners[1], a.corners[2], a.corners[2]);
-    return height_m > 0.0 ? max(sr, 0.0) : 0.0;
 }
 
 float rectangle_illuminance(vec3 n, AreaLight a) {
@@ -158,14 +147,14 @@ float area_illuminance(int kind, vec3 n, AreaLight a) {
     if (kind == kLightDisk) return disk_illuminance(n, a);
     if (kind == kLightRectangle) return rectangle_illuminance(n, a);
     if (kind == kLightTube) return tube_illuminance(n, a);
-    if (kind == kLightTriangle) return triangle_projected_solid_angle(n, a);
+    if (kind == kLightTriangle) return triangle_projected_solid_angle(n, a.corners[0], a.corners[1], a.corners[2]);
     return sphere_illuminance(n, a);
 }
 
 // The direction in which lobes are taken that are evaluated once for the whole light; n . l > 0. Frostbite 4.7.4.
 vec3 area_direction(int kind, vec3 n, AreaLight a) {
     if (kAreaDiffuse == kAreaDiffuseLightPosition || kind == kLightTriangle) {
-        return direction_above_horizon(n, normalize(a.to_center_m));
+        return direction_above_horizon(n, direction_of(a.to_center_m));
     }
     if (kind == kLightDisk) return disk_representative_direction(n, a.to_center_m, a.direction, a.radius_m);
     if (kind == kLightRectangle) {
@@ -179,7 +168,7 @@ vec3 area_direction(int kind, vec3 n, AreaLight a) {
 
 // Where a line's highlight has a luminance, its cd become that of the thin tube that gives them.
 float highlight_nit(int kind, AreaLight a) {
-    return kind == kLightLine ? 1.0 / (4.0 * kLineRadius_m * max(a.half_width_m, 1.0e-4)) : 1.0;
+    return kind == kLightLine ? 1.0 / tube_projected_area(kLineRadius_m, 2.0 * a.half_width_m) : 1.0;
 }
 
 #include "area_highlights.glsl"
@@ -208,6 +197,9 @@ void add_area_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
 // What of the surface all area lights need.
 void prepare_area_lights(inout SurfacePoint p) {
     Surface s = p.g.surface;
+    // An emissive surface is a light on itself. Off it on the viewer's side, further than the depth buffer's rounding: on the
+    // other side a light that shines both ways would fill the hemisphere.
+    p.position += p.g.normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
     if (kAreaSpecular == kAreaSpecularLtc) {
         p.area.ltc = ltc_inverse_matrix(textureLod(ltc_table, ltc_uv(p.NoV, s.perceptual_roughness), 0.0));
     }
