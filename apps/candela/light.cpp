@@ -189,7 +189,7 @@ void write_plot(const PhotometricProfile& profile, const LightOptions& options) 
         io::write_file(options.plot, std::as_bytes(std::span(svg)));
         return;
     }
-    const measure::Picture picture = measure::picture_of(drawing, pixels_per_px);
+    const measure::Panel picture = measure::picture_of(drawing, pixels_per_px);
     io::write_png(options.plot, picture.width, picture.height, std::span<const std::uint8_t>(picture.rgb),
                   {{"Title", drawing.title}});
 }

@@ -52,8 +52,8 @@ inline double reach(const TubeLight& l) {
     return l.half_length * std::abs(l.axis.z) + l.radius;
 }
 
-/// Close range: the centre is within 1 to 3 times the light's largest half extent, a tube's within 0.5 to 3. The
-/// light faces the receiver, who is outside of it.
+/// Close range: the centre is within 1 to 3 times the light's largest half extent, a tube's within 0.5 to 3.
+/// The light faces the receiver, who is outside of it.
 inline void draw(RandomNumbers& u, SphereLight& l) {
     l.radius = u(0.1, 1.0);
     l.center = u.direction() * l.radius * u(1.02, 3.0);

@@ -56,10 +56,10 @@ void add_disney_figure(Findings& out, DisneyFigure figure) {
         return shading::tone_curve(shading::kToneAces, glm::vec3(float(luminance * kPi / figure.white)));
     };
     const auto view = [&](const dvec3& position) { return glm::normalize(scene.eye - position); };
-    const Picture reference = render(scene, [&](const dvec3& n, const dvec3& position) {
+    const Panel reference = render(scene, [&](const dvec3& n, const dvec3& position) {
         return exposed(integrate_over(figure.pieces, n, view(position), position));
     });
-    std::vector<Picture> pictures;
+    std::vector<Panel> pictures;
     std::string caption = "Roughness from 0 (left) to 1. From left: ";
     for (const DisneyTechnique& technique : figure.techniques) {
         ErrorStatistics error;

@@ -164,8 +164,8 @@ std::string svg_of(const Drawing& drawing) {
     return out + "</svg>\n";
 }
 
-Picture picture_of(const Drawing& drawing, double scale) {
-    Picture out;
+Panel picture_of(const Drawing& drawing, double scale) {
+    Panel out;
     out.title = drawing.title;
     out.width = std::uint32_t(std::ceil(drawing.width * scale));
     out.height = std::uint32_t(std::ceil(drawing.height * scale));

@@ -40,6 +40,6 @@ struct Drawing {
 [[nodiscard]] std::string svg_of(const Drawing& drawing);
 
 /// Anti-aliased on white, `scale` pixels a px. Letters are strokes (stroke_font.hpp).
-[[nodiscard]] Picture picture_of(const Drawing& drawing, double scale);
+[[nodiscard]] Panel picture_of(const Drawing& drawing, double scale);
 
 }  // namespace candela::measure

@@ -47,7 +47,7 @@ struct Table {
 };
 
 /// Display-referred sRGB, 3 bytes a pixel, row 0 on top; shown `zoom` times as large.
-struct Picture {
+struct Panel {
     std::string title;
     std::string caption;
     std::uint32_t width = 0;
@@ -99,7 +99,7 @@ struct Findings {
     std::string text;  ///< what was found, also where a printed value does not reproduce
     std::vector<Measured> measured;
     std::vector<Plot> plots;
-    std::vector<Picture> pictures;
+    std::vector<Panel> pictures;
     std::vector<Table> tables;
     std::vector<Technique> techniques;
 };

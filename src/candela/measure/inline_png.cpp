@@ -27,7 +27,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::string png_data_uri(const Picture& picture) {
+std::string png_data_uri(const Panel& picture) {
     if (picture.rgb.size() != std::size_t{3} * picture.width * picture.height || picture.rgb.empty())
         throw std::invalid_argument("png_data_uri: the pixels are not width x height x 3");
     png_image image{};

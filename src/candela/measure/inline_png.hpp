@@ -8,6 +8,6 @@ namespace candela::measure {
 
 /// "data:image/png;base64,..." of a picture, for a page without external files. Throws Error
 /// (Fault::machine).
-[[nodiscard]] std::string png_data_uri(const Picture& picture);
+[[nodiscard]] std::string png_data_uri(const Panel& picture);
 
 }  // namespace candela::measure

@@ -36,12 +36,12 @@ glm::vec3 trace(const LitScene& scene, const dvec3& direction, const ShadePoint&
 
 }  // namespace
 
-Picture render(const LitScene& scene, const ShadePoint& shade) {
+Panel render(const LitScene& scene, const ShadePoint& shade) {
     const dvec3 forward = glm::normalize(scene.target - scene.eye);
     const dvec3 right = glm::normalize(glm::cross(forward, dvec3(0.0, 0.0, 1.0)));
     const dvec3 up = glm::cross(right, forward);
     const double scale = 2.0 * std::tan(0.5 * scene.field_of_view_rad) / scene.width;
-    Picture out;
+    Panel out;
     out.width = scene.width;
     out.height = scene.height;
     for (std::uint32_t y = 0; y < scene.height; ++y) {
@@ -60,19 +60,19 @@ Picture render(const LitScene& scene, const ShadePoint& shade) {
     return out;
 }
 
-Picture render(const LitScene& scene, const Illuminance& illuminance, double white) {
+Panel render(const LitScene& scene, const Illuminance& illuminance, double white) {
     return render(scene, [&](const dvec3& normal, const dvec3& position) {
         const auto exposed = float(illuminance(normal, position) / white);
         return shading::tone_curve(shading::kToneAces, glm::vec3(exposed));
     });
 }
 
-Picture beside(const std::vector<Picture>& pictures, std::string title, std::string caption) {
-    Picture out{std::move(title), std::move(caption), 0, pictures.front().height, {}, 1};
-    for (const Picture& p : pictures) out.width += p.width + (out.width > 0 ? kGap : 0);
+Panel beside(const std::vector<Panel>& pictures, std::string title, std::string caption) {
+    Panel out{std::move(title), std::move(caption), 0, pictures.front().height, {}, 1};
+    for (const Panel& p : pictures) out.width += p.width + (out.width > 0 ? kGap : 0);
     out.rgb.assign(std::size_t{3} * out.width * out.height, 255);
     std::size_t left = 0;
-    for (const Picture& p : pictures) {
+    for (const Panel& p : pictures) {
         for (std::size_t y = 0; y < p.height; ++y)
             std::copy_n(p.rgb.begin() + std::ptrdiff_t(3 * y * p.width), 3 * p.width,
                         out.rgb.begin() + std::ptrdiff_t(3 * (y * out.width + left)));
@@ -84,8 +84,8 @@ Picture beside(const std::vector<Picture>& pictures, std::string title, std::str
 void add_lit_figure(Findings& out, const LitScene& scene, const std::string& title,
                     const std::vector<LabelledIlluminance>& techniques, const Illuminance& truth,
                     double white) {
-    const Picture reference = render(scene, truth, white);
-    std::vector<Picture> pictures;
+    const Panel reference = render(scene, truth, white);
+    std::vector<Panel> pictures;
     std::string caption = "From left: ";
     Table table{title + ": difference from the truth as seen", {"technique", "mean FLIP"}, {}};
     for (const LabelledIlluminance& t : techniques) {

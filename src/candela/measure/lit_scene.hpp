@@ -29,13 +29,13 @@ using Illuminance = std::function<double(const glm::dvec3& normal, const glm::dv
 /// Linear display value of a point; black around everything.
 using ShadePoint = std::function<glm::vec3(const glm::dvec3& normal, const glm::dvec3& position)>;
 
-[[nodiscard]] Picture render(const LitScene& scene, const ShadePoint& shade);
+[[nodiscard]] Panel render(const LitScene& scene, const ShadePoint& shade);
 /// With `white` as the illuminance that a diffuse white surface needs to reach display white; a filmic
 /// shoulder above.
-[[nodiscard]] Picture render(const LitScene& scene, const Illuminance& illuminance, double white);
+[[nodiscard]] Panel render(const LitScene& scene, const Illuminance& illuminance, double white);
 
 /// Left to right, on white; all of one height.
-[[nodiscard]] Picture beside(const std::vector<Picture>& pictures, std::string title, std::string caption);
+[[nodiscard]] Panel beside(const std::vector<Panel>& pictures, std::string title, std::string caption);
 
 struct LabelledIlluminance {
     std::string label;

@@ -46,8 +46,8 @@ double truth(const ShapedLight& light, const SpecularView& view) {
     return SpecularTruth(view.v.z, view.alpha, view.albedo, 384, 256).integrate(light).value;
 }
 
-Picture draw_row(const std::vector<SphereColumn>& columns,
-                 const std::function<double(const ShapedLight&, const SpecularView&)>& estimate) {
+Panel draw_row(const std::vector<SphereColumn>& columns,
+               const std::function<double(const ShapedLight&, const SpecularView&)>& estimate) {
     const DfgLookup dfg(DfgKind::smith_correlated);
     return sphere_grid(1, int(columns.size()), kDiameter, [&](int, int column, const vec3& n) {
         const SurfacePoint at = surface_point(columns[std::size_t(column)], n, dfg);
@@ -55,7 +55,7 @@ Picture draw_row(const std::vector<SphereColumn>& columns,
     });
 }
 
-void append_below(Picture& picture, const Picture& row) {
+void append_below(Panel& picture, const Panel& row) {
     picture.width = row.width;
     if (picture.height > 0) {
         constexpr std::uint32_t gap = 6;
@@ -82,14 +82,14 @@ ShapedLight light_towards_spheres(LightShape shape, const vec3& center) {
 void add_specular_figure(Findings& out, const std::string& title, const std::vector<SphereColumn>& columns,
                          const std::vector<std::string>& labels, const std::vector<double>& flip_at_most) {
     const std::vector<SpecularTechnique> known = specular_techniques(columns.front().light.shape);
-    const Picture reference = draw_row(columns, truth);
-    Picture picture{title, "From above: ", 0, 0, {}, 2};
+    const Panel reference = draw_row(columns, truth);
+    Panel picture{title, "From above: ", 0, 0, {}, 2};
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const auto technique = std::find_if(known.begin(), known.end(),
                                             [&](const SpecularTechnique& t) { return t.label == labels[i]; });
         if (technique == known.end())
             throw std::logic_error("no technique '" + labels[i] + "' for this light");
-        const Picture row = draw_row(columns, technique->estimate);
+        const Panel row = draw_row(columns, technique->estimate);
         out.measured.push_back(at_most(title + ": " + labels[i] + ", mean FLIP",
                                        mean_flip_of_srgb(row.rgb, reference.rgb, row.width, row.height),
                                        flip_at_most[i]));

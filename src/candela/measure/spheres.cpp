@@ -10,7 +10,7 @@ namespace {
 constexpr int kGap = 6;  ///< pixels between spheres
 
 struct Canvas {
-    Picture& picture;
+    Panel& picture;
 
     void set(int x, int y, const glm::vec3& linear) {
         const glm::vec3 encoded = shading::srgb_from_linear(shading::saturate(linear));
@@ -38,8 +38,8 @@ void draw(Canvas canvas, int left, int top, int diameter,
 
 }  // namespace
 
-Picture sphere_grid(int rows, int columns, int diameter, const ShadeSphere& shade) {
-    Picture out;
+Panel sphere_grid(int rows, int columns, int diameter, const ShadeSphere& shade) {
+    Panel out;
     out.width = std::uint32_t(columns * (diameter + kGap) - kGap);
     out.height = std::uint32_t(rows * (diameter + kGap) - kGap);
     out.rgb.assign(std::size_t{3} * out.width * out.height, 255);

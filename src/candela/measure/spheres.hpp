@@ -12,6 +12,6 @@ namespace candela::measure {
 using ShadeSphere = std::function<glm::vec3(int row, int column, const glm::vec3& n)>;
 
 /// A grid of spheres of `diameter` pixels on white, sRGB-encoded and clipped at white.
-[[nodiscard]] Picture sphere_grid(int rows, int columns, int diameter, const ShadeSphere& shade);
+[[nodiscard]] Panel sphere_grid(int rows, int columns, int diameter, const ShadeSphere& shade);
 
 }  // namespace candela::measure

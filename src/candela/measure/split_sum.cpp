@@ -138,7 +138,7 @@ Findings split_sum_figure(const SplitSumMaterial& material) {
         return value * material.display_scale;
     };
     Findings out;
-    Picture picture = sphere_grid(3, int(kRoughness.size()), kDiameter, shade);
+    Panel picture = sphere_grid(3, int(kRoughness.size()), kDiameter, shade);
     picture.zoom = 2;
     picture.title = "Reference, split sum, split sum with n = v";
     picture.caption = "Top to bottom; roughness 0.1, 0.3, 0.5, 0.7, 0.9 from left to right.";

@@ -112,7 +112,7 @@ std::string caption(const std::string& title, const std::string& text) {
     return "<figcaption><b>" + xml_escaped(title) + "</b>" + xml_escaped(text) + "</figcaption>";
 }
 
-std::string picture_html(const Picture& picture) {
+std::string picture_html(const Panel& picture) {
     return "<figure>" + caption(picture.title, picture.caption) + "<img alt=\"" + xml_escaped(picture.title) +
            "\" width=\"" + std::to_string(picture.width * unsigned(picture.zoom)) + "\" src=\"" +
            png_data_uri(picture) + "\"></figure>";
@@ -125,7 +125,7 @@ std::string section(const ExperimentResult& r) {
                       xml_escaped(e.id) + "</code>, " + fixed(r.seconds, 2) + " s. " +
                       xml_escaped(e.computes) + "</p><p>" + xml_escaped(r.findings.text) + "</p>" +
                       measured_table(r.findings.measured);
-    for (const Picture& p : r.findings.pictures) out += picture_html(p);
+    for (const Panel& p : r.findings.pictures) out += picture_html(p);
     for (const Plot& p : r.findings.plots)
         out += "<figure>" + caption(p.title, p.caption) + svg_plot(p) + "</figure>";
     for (const Table& t : r.findings.tables) out += table_html(t);

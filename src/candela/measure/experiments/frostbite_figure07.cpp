@@ -22,7 +22,7 @@ double albedo(bool correlated, double NoV, float alpha) {
     });
 }
 
-Picture spheres() {
+Panel spheres() {
     const vec3 light = normalize(vec3(0.5f, 0.45f, 0.75f));
     const vec3 v(0, 0, 1);
     const auto shade = [&](int row, int column, const vec3& n) {
@@ -35,7 +35,7 @@ Picture spheres() {
                           F_Schlick(f0, vec3(1.0f), dot(v, h));
         return lobe * NoL * (row < 2 ? 20.0f : 2.5f);
     };
-    Picture out = sphere_grid(4, 6, 72, shade);
+    Panel out = sphere_grid(4, 6, 72, shade);
     out.zoom = 1;
     out.title = "One light from the upper right; roughness 0.25 to 1";
     out.caption =

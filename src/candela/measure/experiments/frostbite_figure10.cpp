@@ -16,7 +16,7 @@ float lit(int model, float cosine, float roughness) {
 }
 
 Findings run() {
-    Picture picture = sphere_grid(3, 5, 88, [](int row, int column, const vec3& n) {
+    Panel picture = sphere_grid(3, 5, 88, [](int row, int column, const vec3& n) {
         return vec3(0.75f * lit(row, n.z, 0.25f * float(column)));
     });
     picture.title = "Spheres of albedo 0.75 lit from the viewer; roughness 0, 0.25, 0.5, 0.75, 1";

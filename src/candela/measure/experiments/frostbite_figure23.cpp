@@ -43,8 +43,8 @@ Findings run() {
     scene.height = 110;
     scene.target = dvec3(0.0, 0.0, 0.4);
     scene.balls = {{0.0, 0.0, 0.4, 0.4}};
-    std::vector<Picture> exact;
-    std::vector<Picture> frostbite;
+    std::vector<Panel> exact;
+    std::vector<Panel> frostbite;
     Series exact_lx{"exact", {}, {}, Stroke::solid};
     Series frostbite_lx{"Frostbite, power / pi", {}, {}, Stroke::dashed};
     const dvec3 up(0.0, 0.0, 1.0);

@@ -47,7 +47,7 @@ float specular(const vec3& n, const vec3& v, const vec3& to, float radius_m, int
     return sum * TWO_PI * height / float(side * side);
 }
 
-Picture picture(float radius_m, float luminance_nit) {
+Panel picture(float radius_m, float luminance_nit) {
     LitScene scene;
     scene.width = 140;
     scene.height = 110;
@@ -68,8 +68,8 @@ Picture picture(float radius_m, float luminance_nit) {
 
 Findings run() {
     Findings out;
-    std::vector<Picture> by_power;
-    std::vector<Picture> by_luminance;
+    std::vector<Panel> by_power;
+    std::vector<Panel> by_luminance;
     const float fixed_nit = sphere_nit_from_lm(kPower_lm, kRadii_m[2]);
     Table table{"One light, two units",
                 {"radius, m", "1500 lm: floor, lx", "1500 lm: highlight, cd/m^2", "fixed cd/m^2: floor, lx",

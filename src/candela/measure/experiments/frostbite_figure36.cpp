@@ -19,7 +19,7 @@ struct Count {
     double correct = 0.0;
 };
 
-Picture picture(double radius_m, Count& count) {
+Panel picture(double radius_m, Count& count) {
     LitScene scene;
     scene.lamp = [=](const dvec3& origin, const dvec3& direction) {
         return ray_to_sphere(origin, direction, kCenter, radius_m);

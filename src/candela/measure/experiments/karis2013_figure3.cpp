@@ -21,14 +21,14 @@ void add(Errors& errors, const vec2& quadrature, const vec2& read, const glm::dv
 }
 
 /// Red: scale of f0, green: bias, as values without a transfer curve; roughness grows upwards.
-Picture picture_of(const DfgLookup& table) {
+Panel picture_of(const DfgLookup& table) {
     constexpr int size = 192;
-    Picture out{"The table: red scales F0, green is added",
-                "Across: cosine of the view, 0 to 1. Up: roughness, 0 to 1.",
-                size,
-                size,
-                {},
-                1};
+    Panel out{"The table: red scales F0, green is added",
+              "Across: cosine of the view, 0 to 1. Up: roughness, 0 to 1.",
+              size,
+              size,
+              {},
+              1};
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const vec2 ab = table.read((float(x) + 0.5f) / size, 1.0f - (float(y) + 0.5f) / size);
