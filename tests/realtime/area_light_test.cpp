@@ -280,3 +280,40 @@ TEST(EmissiveLights, ASurfaceThatShinesBothWaysDoesNotLightItself) {
     const realtime::Still still = render(scene_of(square(0.4f), glowing), aside);
     for (const auto& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, kNit, 2e-3f * kNit);
 }
+
+TEST(EmissiveLights, WhatStandsBetweenKeepsTheirLightAway) {
+    scene::Scene s = plane();
+    scene::Material glowing = grey(0.0f);
+    glowing.emissive_nit = glm::vec3(kNit);
+    s.materials.push_back(glowing);
+    s.meshes.push_back({"lamp", {test::sphere(0.1f, 1)}});
+    glm::mat4 above(1.0f);
+    above[3] = glm::vec4(0.0f, 0.5f, 0.8f, 1.0f);
+    s.instances.push_back({"lamp", 1, above});
+    const float lit = center(render(s, kFront)).x;
+    // Of the lamp's own size in cd, at its distance and angle: pi r^2 L cos / d^2, times 0.5 / pi.
+    const float d2 = 0.25f + 0.64f;
+    EXPECT_NEAR(lit, 0.5f * 0.01f * kNit * 0.8f / std::pow(d2, 1.5f), 0.02f * lit);
+    s.meshes.push_back({"card", {square(0.25f)}});
+    glm::mat4 between(1.0f);
+    between[3] = glm::vec4(0.0f, 0.25f, 0.4f, 1.0f);
+    s.instances.push_back({"card", 2, between});
+    // From the side, past the card.
+    const scene::Camera aside = scene::look_at({1.5f, 0.0f, 1.0f}, {0, 0, 0}, 0.1f);
+    EXPECT_LT(center(render(s, aside)).x, 1e-3f * lit);
+}
+
+TEST(AreaLight, APictureOnARectangleGivesItsMean) {
+    scene::Light light = shape(scene::LightType::rectangle);
+    const float white_nit = plane_nit(light);
+    scene::Scene s = plane();
+    scene::Image half;
+    half.name = "half black";
+    half.width = 2;
+    half.height = 1;
+    half.rgba = {255, 255, 255, 255, 0, 0, 0, 255};
+    s.images.push_back(half);
+    light.image = 0;
+    s.lights.push_back(light);
+    EXPECT_NEAR(center(render(s, kFront)).x, 0.5f * white_nit, 1e-3f * white_nit);
+}

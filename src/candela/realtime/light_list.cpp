@@ -6,6 +6,7 @@
 
 #include "candela/realtime/emissive_lights.hpp"
 #include "candela/scene/photometric.hpp"
+#include "shading/transfer.glsl"
 
 namespace candela::realtime {
 namespace {
@@ -70,6 +71,17 @@ std::vector<ProfilePlace> place_profiles(const scene::Scene& scene, std::vector<
     return places;
 }
 
+/// Linear mean of a picture: what a rectangle that shows it gives from afar.
+glm::vec3 mean_color(const scene::Image& image) {
+    glm::dvec3 sum(0.0);
+    const std::size_t texels = image.rgba.size() / 4;
+    for (std::size_t i = 0; i < texels; ++i) {
+        const glm::vec3 code(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]);
+        sum += glm::dvec3(shading::linear_from_srgb(code / 255.0f));
+    }
+    return texels > 0 ? glm::vec3(sum / static_cast<double>(texels)) : glm::vec3(1.0f);
+}
+
 Row row_of(const scene::Light& light, std::uint32_t source, const std::vector<ProfilePlace>& profiles) {
     Row row{light_block(light), reach_of(light), source};
     if (has_profile(light) && light.profile < profiles.size()) {
@@ -98,8 +110,12 @@ LightList light_list(const scene::Scene& scene, bool with_emissive) {
     LightList list;
     const std::vector<ProfilePlace> profiles = place_profiles(scene, list.profile_cd);
     std::vector<Row> rows;
-    for (std::uint32_t i = 0; i < scene.lights.size(); ++i)
-        rows.push_back(row_of(scene.lights[i], i, profiles));
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        scene::Light light = scene.lights[i];
+        if (light.type == scene::LightType::rectangle && light.image < scene.images.size())
+            light.color *= mean_color(scene.images[light.image]);
+        rows.push_back(row_of(light, i, profiles));
+    }
     if (with_emissive) {
         for (const EmissiveLight& light : emissive_lights(scene)) {
             Row row = emissive_row(light.block);
