@@ -1,6 +1,9 @@
 #include "candela/realtime/forward_pass.hpp"
 
+#include "candela/realtime/lighting_variant.hpp"
 #include "candela_shaders/forward_frag.hpp"
+#include "candela_shaders/forward_plain_frag.hpp"
+#include "candela_shaders/forward_shadows_frag.hpp"
 #include "candela_shaders/integrate_forward_frag.hpp"
 #include "candela_shaders/mesh_vert.hpp"
 
@@ -11,10 +14,12 @@ gpu::PipelineLayout make_layout(const gpu::Device& device) {
     return {device, {{shading_set_layout(), GpuScene::material_set_layout()}, 64}};
 }
 
-gpu::GraphicsDesc make_desc(const FrameResources& frame) {
+gpu::GraphicsDesc make_desc(const FrameResources& frame, const GpuScene& scene) {
+    const LightingVariants variants{shaders::forward_plain_frag, shaders::forward_shadows_frag,
+                                    shaders::forward_frag};
     gpu::GraphicsDesc desc;
     desc.vertex = shaders::mesh_vert;
-    desc.fragment = frame.integrate ? shaders::integrate_forward_frag : shaders::forward_frag;
+    desc.fragment = frame.integrate ? shaders::integrate_forward_frag : choose(variants, frame, scene);
     describe_vertices(desc);
     desc.color_formats = {frame.light_format()};
     desc.blends = {gpu::Blend::premultiplied_over};
@@ -33,7 +38,8 @@ ShadeVariant variant(const GpuScene& scene) {
 }  // namespace
 
 ForwardPass::ForwardPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene)
-    : pipelines_(device, make_layout(device), make_desc(frame), variant(scene)), order_(device, scene) {
+    : pipelines_(device, make_layout(device), make_desc(frame, scene), variant(scene)),
+      order_(device, scene) {
     pipelines_.prepare(frame, scene, true);
 }
 

@@ -1,7 +1,10 @@
 #include "candela/realtime/lighting_pass.hpp"
 
+#include "candela/realtime/lighting_variant.hpp"
 #include "candela_shaders/integrate_comp.hpp"
 #include "candela_shaders/lighting_comp.hpp"
+#include "candela_shaders/lighting_plain_comp.hpp"
+#include "candela_shaders/lighting_shadows_comp.hpp"
 
 namespace candela::realtime {
 namespace {
@@ -32,7 +35,9 @@ std::string pass_name(ShadingClass shading_class, bool integrate) {
 }  // namespace
 
 LightingPass::LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene) {
-    const gpu::SpirV code = frame.integrate ? shaders::integrate_comp : shaders::lighting_comp;
+    const LightingVariants variants{shaders::lighting_plain_comp, shaders::lighting_shadows_comp,
+                                    shaders::lighting_comp};
+    const gpu::SpirV code = frame.integrate ? shaders::integrate_comp : choose(variants, frame, scene);
     const auto add = [&](ShadingClass shading_class) {
         ShadeVariant variant;
         variant.shading_class = shading_class;

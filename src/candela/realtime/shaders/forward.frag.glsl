@@ -1,20 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The forward pass of the real-time frame.
-#include "frame.glsl"
-#include "material.glsl"
-#include "shade.glsl"
-
-const float kLightLimit = 65504.0;
-
-Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
-    vec3 facet = g.normal;
-    if (kShadowKinds != 0u) {
-        vec3 across = cross(dFdx(position), dFdy(position));
-        float area2 = dot(across, across);
-        if (area2 > 0.0) facet = across * ((dot(across, v) < 0.0 ? -1.0 : 1.0) * inversesqrt(area2));
-    }
-    return shade(g, position, v, kHasLights ? lights_of_cell(vec2(pixel), position) : 0u, vec4(facet, 0.0), ivec2(pixel));
-}
-
-#include "blended_surface.glsl"
+// The forward pass with all that it can do; lighting_variant.hpp has the choice.
+#include "forward.glsl"

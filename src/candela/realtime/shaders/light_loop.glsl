@@ -23,6 +23,7 @@ void add_lights(SurfacePoint p, uint at, inout Lit lit) {
     ADD_LIGHTS_OF(kLightSpot, add_punctual_light)
     ADD_LIGHTS_OF(kLightDirectional, add_punctual_light)
     ADD_LIGHTS_OF(kLightFrustum, add_punctual_light)
+#ifndef CANDELA_WITHOUT_AREA_LIGHTS
     if ((kLightKinds & kAreaKinds) != 0u) {
         prepare_area_lights(p);
         ADD_LIGHTS_OF(kLightLine, add_area_light)
@@ -33,6 +34,7 @@ void add_lights(SurfacePoint p, uint at, inout Lit lit) {
         ADD_LIGHTS_OF(kLightTube, add_area_light)
         ADD_LIGHTS_OF(kLightTriangle, add_area_light)
     }
+#endif
     ADD_LIGHTS_OF(kLightPhotometric, add_punctual_light)
 }
 

@@ -11,7 +11,11 @@
 
 // C++: shadow_kind_bits(), what some light needs; ShadowFilterTechnique. What none needs is not compiled: a software device
 // runs both sides of a branch.
+#ifdef CANDELA_WITHOUT_SHADOWS
+const uint kShadowKinds = 0u;
+#else
 layout(constant_id = 19) const uint kShadowKinds = 0u;
+#endif
 layout(constant_id = 20) const int kShadowFilter = 0;
 const int kFilterPcss = 0;
 
