@@ -72,6 +72,7 @@ scene::Light light_of(LightType type, float height_m = 2.0f) {
     light.half_width_m = 0.75f;
     light.half_height_m = 0.5f;
     light.angular_diameter_rad = 0.1f;
+    light.visible = false;  // the meter looks through it
     return light;
 }
 
