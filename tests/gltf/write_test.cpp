@@ -291,8 +291,9 @@ TEST(WriteGltf, ProfilesKeepTheirWeb) {
     std::string four_planes = small_ies();
     const std::string head = "1 -1 1 3 1 1", planes = "1 -1 1 3 5 1";
     four_planes.replace(four_planes.find(head), head.size(), planes);
-    four_planes.replace(four_planes.find("\r\n0\r\n100 50 0"), std::string::npos,
-                        "\r\n0 90 180 270 360\r\n100 50 0.1 100 33.3333 0.1 100 40 0.1 100 20 0.1 100 50 0.1\r\n");
+    four_planes.replace(
+        four_planes.find("\r\n0\r\n100 50 0"), std::string::npos,
+        "\r\n0 90 180 270 360\r\n100 50 0.1 100 33.3333 0.1 100 40 0.1 100 20 0.1 100 50 0.1\r\n");
     // Light to 90 degrees, and abruptly none beyond; the same upwards.
     std::string down = small_ies(), up = small_ies();
     down.replace(down.find("0 90 180"), 8, "0 45 90");
