@@ -2,6 +2,7 @@
 
 #include "directions.hpp"
 #include "shading/basis.glsl"
+#include "shading/cube.glsl"
 #include "shading/footprint.glsl"
 #include "shading/octahedral.glsl"
 
@@ -47,6 +48,25 @@ TEST(Octahedral, DecodeInvertsEncode) {
         // As the G-buffer stores it, 16 bits each: under a hundredth of a degree.
         EXPECT_LT(distance(octahedral_decode(unpackSnorm2x16(packSnorm2x16(e))), v), 1e-4f);
     }
+}
+
+TEST(Cube, FaceAndPointInvertEachOtherAndTexelsFillTheSphere) {
+    Uniform u(23);
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 v = on_sphere(u);
+        const vec3 at = cube_uv_face(v * 3.0f);
+        EXPECT_LT(distance(normalize(cube_point(static_cast<int>(at.z), vec2(at))), v), 1e-6f);
+    }
+    // The middles of the faces, and the upper left corner of +Z: seen from inside, left-handed.
+    const vec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (int face = 0; face < 6; ++face) EXPECT_EQ(cube_point(face, vec2(0.5f)), axes[face]);
+    EXPECT_EQ(cube_point(4, vec2(0.0f)), vec3(-1, 1, 1));
+    double sum = 0.0;
+    for (uint y = 0; y < 16; ++y) {
+        for (uint x = 0; x < 16; ++x) sum += 6.0 * static_cast<double>(cube_texel_solid_angle(x, y, 16));
+    }
+    EXPECT_NEAR(sum, 4.0 * M_PI, 1e-5);
+    EXPECT_NEAR(cube_texel_solid_angle(0, 0, 1), 4.0f * PI / 6.0f, 1e-6f);
 }
 
 TEST(Footprint, WidensByTheSpreadOfNormalsAndNoMoreThanItsLimit) {
