@@ -127,8 +127,12 @@ FN void ltc_outline_edge(INOUT(LtcOutline) o, LtcFrame frame, vec3 from, vec3 to
 // An arc that is known to be above the surface; begin, end: the points of its ends.
 FN void ltc_outline_cut_arc(INOUT(LtcOutline) o, OrientedCone c, vec2 from, vec2 to, vec3 begin, vec3 end) {
     RimPieces r = rim_above(c.cone, c.cone.normal, from, to, ltc_height(begin) >= 0.0f, ltc_height(end) >= 0.0f);
-    if (r.has0) o.sr += elliptic_cone_arc(c.cone, r.from0, r.to0);
-    if (r.has1) o.sr += elliptic_cone_arc(c.cone, r.from1, r.to1);
+    for (int i = 0; i < 2; ++i) {
+        if (r.has0) o.sr += elliptic_cone_arc(c.cone, r.from0, r.to0);
+        r.has0 = r.has1;
+        r.from0 = r.from1;
+        r.to0 = r.to1;
+    }
     if (r.leaves) o.leaves_cosine = oriented_cone_point(c, r.down);
     if (r.returns) o.returns_cosine = oriented_cone_point(c, r.up);
 }
@@ -141,8 +145,16 @@ FN void ltc_outline_arc(INOUT(LtcOutline) o, LtcFrame frame, OrientedCone c, vec
                             dot(frame.horizon, begin) >= 0.0f, ends_above);
     vec3 down = oriented_cone_point(c, r.down);
     vec3 up = oriented_cone_point(c, r.up);
-    if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0, begin, r.leaves ? down : end);
-    if (r.has1) ltc_outline_cut_arc(o, c, r.from1, r.to1, up, ends_above ? end : down);
+    vec3 piece_begin = begin;
+    vec3 piece_end = r.leaves ? down : end;
+    for (int i = 0; i < 2; ++i) {
+        if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0, piece_begin, piece_end);
+        r.has0 = r.has1;
+        r.from0 = r.from1;
+        r.to0 = r.to1;
+        piece_begin = up;
+        piece_end = ends_above ? end : down;
+    }
     if (r.leaves) o.leaves_surface = down;
     if (r.returns) o.returns_surface = up;
 }
@@ -157,6 +169,24 @@ FN float ltc_outline_end(LtcOutline outline, LtcFrame frame) {
     return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, leaves, returns)));
 }
 
+// A convex polygon of four corners in the frame, of which neighbours may be one: a loop, so that the edge's code is there once.
+FN float ltc_quad(LtcFrame frame, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
+    LtcOutline o = ltc_outline_begin();
+    vec3 from = p0;
+    vec3 to = p1;
+    vec3 next = p2;
+    vec3 last = p3;
+    for (int i = 0; i < 4; ++i) {
+        ltc_outline_edge(o, frame, from, to);
+        vec3 first = from;
+        from = to;
+        to = next;
+        next = last;
+        last = first;
+    }
+    return ltc_outline_end(o, frame);
+}
+
 // Rectangle of uniform luminance that shines to where right x up points away from. Heitz et al. 2016.
 FN float ltc_rectangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
                        float half_height_m) {
@@ -164,40 +194,45 @@ FN float ltc_rectangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, ve
     vec3 center = frame.to_cosine * to_center_m;
     vec3 x = frame.to_cosine * (right * half_width_m);
     vec3 y = frame.to_cosine * (up * half_height_m);
-    LtcOutline o = ltc_outline_begin();
-    ltc_outline_edge(o, frame, center - x - y, center + x - y);
-    ltc_outline_edge(o, frame, center + x - y, center + x + y);
-    ltc_outline_edge(o, frame, center + x + y, center - x + y);
-    ltc_outline_edge(o, frame, center - x + y, center - x - y);
-    return ltc_outline_end(o, frame);
+    return ltc_quad(frame, center - x - y, center + x - y, center + x + y, center - x + y);
 }
 
 // Triangle of uniform luminance, its corners in the order of rectangle_corners: their cross product points away from where it
 // shines.
 FN float ltc_triangle(mat3 inverse_matrix, vec3 n, vec3 v, vec3 a, vec3 b, vec3 c) {
     LtcFrame frame = ltc_frame(inverse_matrix, n, v);
-    vec3 p = frame.to_cosine * a;
-    vec3 q = frame.to_cosine * b;
-    vec3 r = frame.to_cosine * c;
-    LtcOutline o = ltc_outline_begin();
-    ltc_outline_edge(o, frame, p, q);
-    ltc_outline_edge(o, frame, q, r);
-    ltc_outline_edge(o, frame, r, p);
-    return ltc_outline_end(o, frame);
+    vec3 last = frame.to_cosine * c;
+    return ltc_quad(frame, frame.to_cosine * a, frame.to_cosine * b, last, last);
+}
+
+// Whether the surface's horizon leaves all of a cone or nothing; value: what that gives.
+FN bool ltc_cone_in_one_piece(LtcFrame frame, OrientedCone c, OUT(float) value) {
+    vec3 horizon = vec3(dot(frame.horizon, c.first), dot(frame.horizon, c.second), dot(frame.horizon, c.axis));
+    float p = length(vec2(c.cone.minor * horizon.x, c.cone.major * horizon.y));
+    value = horizon.z >= p ? saturate(frame.scale * elliptic_cone_projected_solid_angle(c.cone)) : 0.0f;
+    return abs(horizon.z) >= p;
 }
 
 // A whole cone of directions.
 FN float ltc_cone(LtcFrame frame, OrientedCone c) {
-    vec3 horizon = vec3(dot(frame.horizon, c.first), dot(frame.horizon, c.second), dot(frame.horizon, c.axis));
-    float p = length(vec2(c.cone.minor * horizon.x, c.cone.major * horizon.y));
-    if (horizon.z <= -p) return 0.0f;
-    if (horizon.z >= p) return saturate(frame.scale * elliptic_cone_projected_solid_angle(c.cone));
+    float whole;
+    if (ltc_cone_in_one_piece(frame, c, whole)) return whole;
     LtcOutline o = ltc_outline_begin();
-    vec3 one = oriented_cone_point(c, vec2(1.0f, 0.0f));
-    vec3 other = oriented_cone_point(c, vec2(-1.0f, 0.0f));
-    ltc_outline_arc(o, frame, c, one, other);
-    ltc_outline_arc(o, frame, c, other, one);
+    vec3 begin = oriented_cone_point(c, vec2(1.0f, 0.0f));
+    vec3 end = oriented_cone_point(c, vec2(-1.0f, 0.0f));
+    for (int i = 0; i < 2; ++i) {
+        ltc_outline_arc(o, frame, c, begin, end);
+        vec3 turned = begin;
+        begin = end;
+        end = turned;
+    }
     return ltc_outline_end(o, frame);
+}
+
+// What is seen of an ellipse center_m + cos(t) u_m + sin(t) w_m, wherever it lies: the round lights' one way in.
+FN float ltc_ellipse(LtcFrame frame, vec3 center_m, vec3 u_m, vec3 w_m) {
+    return ltc_cone(frame, oriented_cone(kCosineNormal, frame.to_cosine * center_m, frame.to_cosine * u_m,
+                                         frame.to_cosine * w_m));
 }
 
 // One-sided disk, `direction` (unit) being the way it shines. Heitz & Hill 2017.
@@ -206,22 +241,28 @@ FN float ltc_disk(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 di
     vec3 t;
     vec3 b;
     orthonormal_basis(direction, t, b);
-    LtcFrame frame = ltc_frame(inverse_matrix, n, v);
-    return ltc_cone(frame, oriented_cone(kCosineNormal, frame.to_cosine * to_center_m,
-                                         frame.to_cosine * (t * radius_m), frame.to_cosine * (b * radius_m)));
+    return ltc_ellipse(ltc_frame(inverse_matrix, n, v), to_center_m, t * radius_m, b * radius_m);
 }
 
-// The cone of directions in which a sphere is seen, through a matrix. At its surface, or within, half of all directions; one
-// part in a thousand less, for a cone's sake.
-FN OrientedCone ltc_sphere_cone(mat3 to_cosine, vec3 to_center_m, float radius_m) {
+// The circle that is seen of a sphere, as an ellipse. At its surface, or within, half of all directions; one part in a thousand less, for a
+// cone's sake.
+FN void sphere_outline(vec3 to_center_m, float radius_m, OUT(vec3) center, OUT(vec3) u, OUT(vec3) w) {
     float distance_m = max(length(to_center_m), 1.0e-20f);
     vec3 axis = to_center_m / distance_m;
     float sine = min(radius_m / distance_m, 0.9999995f);
-    float cosine = sqrt((1.0f - sine) * (1.0f + sine));
     vec3 t;
     vec3 b;
     orthonormal_basis(axis, t, b);
-    return oriented_cone(kCosineNormal, to_cosine * (axis * cosine), to_cosine * (t * sine), to_cosine * (b * sine));
+    center = axis * sqrt((1.0f - sine) * (1.0f + sine));
+    u = t * sine;
+    w = b * sine;
+}
+FN OrientedCone ltc_sphere_cone(mat3 to_cosine, vec3 to_center_m, float radius_m) {
+    vec3 center;
+    vec3 u;
+    vec3 w;
+    sphere_outline(to_center_m, radius_m, center, u, w);
+    return oriented_cone(kCosineNormal, to_cosine * center, to_cosine * u, to_cosine * w);
 }
 
 // Sphere: the disk that fills the same directions. Heitz & Hill 2017.
@@ -232,35 +273,49 @@ FN float ltc_sphere(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, float
 
 // Capsule: a cylinder of length 2 half_length_m about the unit axis, between two half spheres. tube.glsl's outline (an arc of
 // either end's cone and the two planes through the receiver that touch both spheres) through the matrix.
-FN float ltc_tube(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 axis, float half_length_m, float radius_m) {
-    LtcFrame frame = ltc_frame(inverse_matrix, n, v);
+FN float ltc_capsule(LtcFrame frame, vec3 to_center_m, vec3 axis, float half_length_m, float radius_m) {
     float along_m = dot(to_center_m, axis);
     vec3 across = to_center_m - along_m * axis;
     float distance_m = length(across);
-    // From within the lengthened cylinder the nearest sphere hides the rest.
-    if (distance_m <= 1.0001f * radius_m || distance_m <= 0.0f) {
-        vec3 nearest = to_center_m + clamp(-along_m, -half_length_m, half_length_m) * axis;
-        return ltc_cone(frame, ltc_sphere_cone(frame.to_cosine, nearest, radius_m));
-    }
-    vec3 w = across / distance_m;
-    float cosine = radius_m / distance_m;
+    // From within the lengthened cylinder the nearest sphere hides the rest: the outline is its circle, in two halves.
+    bool end_on = distance_m <= 1.0001f * radius_m || distance_m <= 0.0f;
+    vec3 w = across / max(distance_m, 1.0e-20f);
+    float cosine = min(radius_m / max(distance_m, 1.0e-20f), 1.0f);
     float sine = sqrt((1.0f - cosine) * (1.0f + cosine));
     vec3 end1 = to_center_m - half_length_m * axis;
     vec3 end2 = to_center_m + half_length_m * axis;
+    vec3 nearest = to_center_m + clamp(-along_m, -half_length_m, half_length_m) * axis;
     vec3 to_touch = (-radius_m * cosine) * w;
     vec3 to_side = (radius_m * sine) * cross(w, axis);
-    vec3 plus1 = frame.to_cosine * (end1 + to_touch + to_side);
-    vec3 minus1 = frame.to_cosine * (end1 + to_touch - to_side);
-    vec3 plus2 = frame.to_cosine * (end2 + to_touch + to_side);
-    vec3 minus2 = frame.to_cosine * (end2 + to_touch - to_side);
-    OrientedCone c1 = ltc_sphere_cone(frame.to_cosine, end1, radius_m);
-    OrientedCone c2 = ltc_sphere_cone(frame.to_cosine, end2, radius_m);
+    vec3 begin = frame.to_cosine * (end2 + to_touch - to_side);
+    vec3 end = frame.to_cosine * (end2 + to_touch + to_side);
+    vec3 next_begin = frame.to_cosine * (end1 + to_touch + to_side);
+    vec3 next_end = frame.to_cosine * (end1 + to_touch - to_side);
+    vec3 center = end_on ? nearest : end2;
+    float turn = 1.0f;
+    OrientedCone c;
     LtcOutline o = ltc_outline_begin();
-    ltc_outline_arc(o, frame, c2, minus2, plus2);
-    ltc_outline_edge(o, frame, plus2, plus1);
-    ltc_outline_arc(o, frame, c1, plus1, minus1);
-    ltc_outline_edge(o, frame, minus1, minus2);
+    for (int i = 0; i < 2; ++i) {
+        c = ltc_sphere_cone(frame.to_cosine, center, radius_m);
+        vec3 here = oriented_cone_point(c, vec2(turn, 0.0f));
+        vec3 there = oriented_cone_point(c, vec2(-turn, 0.0f));
+        ltc_outline_arc(o, frame, c, end_on ? here : begin, end_on ? there : end);
+        ltc_outline_edge(o, frame, end_on ? there : end, end_on ? there : next_begin);
+        vec3 first_begin = begin;
+        vec3 first_end = end;
+        begin = next_begin;
+        end = next_end;
+        next_begin = first_begin;
+        next_end = first_end;
+        center = end_on ? nearest : end1;
+        turn = -1.0f;
+    }
+    float whole;
+    if (end_on && ltc_cone_in_one_piece(frame, c, whole)) return whole;
     return ltc_outline_end(o, frame);
+}
+FN float ltc_tube(mat3 inverse_matrix, vec3 n, vec3 v, vec3 to_center_m, vec3 axis, float half_length_m, float radius_m) {
+    return ltc_capsule(ltc_frame(inverse_matrix, n, v), to_center_m, axis, half_length_m, radius_m);
 }
 
 // A line without thickness, per metre of radius: its integral times the radius is a thin tube's. Heitz & Hill 2017 integrate

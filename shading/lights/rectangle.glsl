@@ -29,49 +29,53 @@ FN RectangleCorners rectangle_corners(vec3 to_center_m, vec3 right, vec3 up, flo
     return corners;
 }
 
-// A convex quadrilateral that turns counterclockwise as the receiver sees it, clipped at the receiver's horizon: exact.
+// A convex quadrilateral that turns counterclockwise as the receiver sees it, clipped at the receiver's horizon: exact. Neighbouring
+// corners may be one. A loop, so that the edge's code is there once.
 FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
     vec3 leaves = vec3(0.0f);
     vec3 returns = vec3(0.0f);
-    float h0 = dot(n, p0);
-    float h1 = dot(n, p1);
-    float h2 = dot(n, p2);
-    float h3 = dot(n, p3);
-    float sum = contour_edge_above(n, p0, p1, h0, h1, leaves, returns);
-    sum += contour_edge_above(n, p1, p2, h1, h2, leaves, returns);
-    sum += contour_edge_above(n, p2, p3, h2, h3, leaves, returns);
-    sum += contour_edge_above(n, p3, p0, h3, h0, leaves, returns);
+    vec3 from = p0;
+    vec3 to = p1;
+    vec3 next = p2;
+    vec3 last = p3;
+    float sum = 0.0f;
+    for (int i = 0; i < 4; ++i) {
+        sum += contour_edge_above(n, from, to, dot(n, from), dot(n, to), leaves, returns);
+        vec3 first = from;
+        from = to;
+        to = next;
+        next = last;
+        last = first;
+    }
     return sum + contour_edge_on_horizon(n, leaves, returns);
 }
 
-// Exact, by the outline's integral after clipping at the horizon. Under 1/300 of the distance the outline's edges
-// cancel to four digits and fewer, and the light is as good as a point.
-FN float rectangle_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
-                                         float half_height_m) {
-    float height_m = dot(cross(right, up), to_center_m);  // of the receiver over the light's plane
+// A one-sided flat light with these corners, in rectangle_corners' order about to_center_m. away: its area in m^2 along the unit
+// normal that points away from where it shines; extent2: of its farthest corner from the centre, squared. Exact, by the outline's integral
+// after clipping at the horizon. Under 1/300 of the distance the outline's edges cancel to four digits and fewer, and the light is
+// as good as a point.
+FN float polygon_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 away, float extent2, vec3 p0, vec3 p1, vec3 p2,
+                                       vec3 p3) {
+    float height_area_m3 = dot(away, to_center_m);  // the receiver's height over the plane, times the area
     // On the light itself rounding alone says on which side of the horizon its corners are.
-    if (!(height_m > 1.0e-6f * (half_width_m + half_height_m))) return 0.0f;
+    if (!(height_area_m3 > 3.0e-6f * sqrt(extent2 * dot(away, away)))) return 0.0f;
     float distance2 = dot(to_center_m, to_center_m);
-    if (square(half_width_m) + square(half_height_m) < 1.0e-5f * distance2)
-        return 4.0f * half_width_m * half_height_m * height_m * max(dot(n, to_center_m), 0.0f) /
-               max(square(distance2), 1.0e-37f);
-    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
-    return max(quad_projected_solid_angle(n, c.p0, c.p1, c.p2, c.p3), 0.0f);
+    if (extent2 < 1.0e-5f * distance2)
+        return height_area_m3 * max(dot(n, to_center_m), 0.0f) / max(square(distance2), 1.0e-37f);
+    return max(quad_projected_solid_angle(n, p0, p1, p2, p3), 0.0f);
 }
 
-// Triangle of corners in the order of rectangle_corners, so that their cross product points away from where it shines; exact, and
-// far away a point, as above.
+FN float rectangle_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
+                                         float half_height_m) {
+    RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    return polygon_projected_solid_angle(n, to_center_m, 4.0f * half_width_m * half_height_m * cross(right, up),
+                                         square(half_width_m) + square(half_height_m), c.p0, c.p1, c.p2, c.p3);
+}
+
+// Corners in the order of rectangle_corners; the disk of the same area stands for its size.
 FN float triangle_projected_solid_angle(vec3 n, vec3 a, vec3 b, vec3 c) {
-    vec3 twice_area = cross(b - a, c - a);
-    float twice_area_m2 = length(twice_area);
-    float height_area_m3 = 0.5f * dot(twice_area, a);  // the receiver's height over the plane, times the area
-    if (!(2.0f * height_area_m3 > 1.0e-6f * sqrt(twice_area_m2) * twice_area_m2)) return 0.0f;
-    vec3 to_center_m = (a + b + c) / 3.0f;
-    float distance2 = dot(to_center_m, to_center_m);
-    // The disk of the same area stands for its size.
-    if (0.5f * INV_PI * twice_area_m2 < 1.0e-5f * distance2)
-        return height_area_m3 * max(dot(n, to_center_m), 0.0f) / max(square(distance2), 1.0e-37f);
-    return max(quad_projected_solid_angle(n, a, b, c, c), 0.0f);
+    vec3 away = 0.5f * cross(b - a, c - a);
+    return polygon_projected_solid_angle(n, (a + b + c) / 3.0f, away, INV_PI * length(away), a, b, c, c);
 }
 
 // Arvo 1994 as in Frostbite listing E.1: the outline's integral without the horizon.

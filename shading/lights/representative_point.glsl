@@ -118,6 +118,12 @@ FN vec3 representative_direction_of_sun(vec3 direction, vec3 mirror, float angul
     return inside < edge ? normalize(rim) : mirror;
 }
 
+// GGX width that stands for the lobe convolved with a disc much narrower than itself: with it the peak falls by what the disc sees of
+// the lobe on average, (disc radius / (2 alpha))^2 in the second order. Own.
+FN float alpha_widened_by_disc(float alpha, float angular_radius_rad) {
+    return min(sqrt(alpha * alpha + 0.25f * square(angular_radius_rad)), 1.0f);
+}
+
 CANDELA_SHADING_END
 
 #endif

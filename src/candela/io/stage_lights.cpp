@@ -22,7 +22,7 @@ constexpr float kRadPerDeg = static_cast<float>(M_PI / 180.0);
 const std::vector<std::string>& type_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> out;
-        for (auto t = LightType::point; t <= LightType::tube;
+        for (auto t = LightType::point; t <= LightType::rectangle;
              t = static_cast<LightType>(static_cast<int>(t) + 1))
             out.emplace_back(scene::name_of(t));
         return out;

@@ -144,7 +144,7 @@ std::vector<std::uint32_t> shape_lights(const LightList& list) {
     for (std::uint32_t i = 0; i < list.blocks.size(); ++i) {
         const LightBlock& block = list.blocks[i];
         const auto type = static_cast<scene::LightType>(block.color_type.w);
-        if (list.sources[i] != scene::no_index && scene::is_shape(type) && type <= scene::LightType::tube &&
+        if (list.sources[i] != scene::no_index && scene::is_shape(type) && type <= scene::LightType::rectangle &&
             (block.links.x & visible) != 0)
             shapes.push_back(i);
     }

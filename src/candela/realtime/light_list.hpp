@@ -16,11 +16,11 @@ enum class LightKind : std::uint8_t {
     directional,
     frustum,
     line,
+    tube,
     sun,
     sphere,
     disk,
     rectangle,
-    tube,
     triangle,     ///< of an emissive surface
     photometric,  ///< point or spot with a profile
 };

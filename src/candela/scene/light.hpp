@@ -16,11 +16,11 @@ enum class LightType : std::uint8_t {
     directional,  ///< from infinitely far, without extent
     frustum,      ///< a point that shines into a rectangular pyramid
     line,         ///< a diffuse cylinder too thin to have a luminance
+    tube,         ///< a capsule: a cylinder between two half spheres
     sun,          ///< a disc infinitely far away
     sphere,
     disk,
     rectangle,
-    tube,  ///< a capsule: a cylinder between two half spheres
 };
 
 /// In which of its units a light's strength was stated (Frostbite Tables 8, 9 and 12). `intensity` below is
@@ -87,10 +87,10 @@ struct Light {
 }
 /// Of a size: has a luminance, and other ways of drawing directions than its own can find it.
 [[nodiscard]] constexpr bool has_extent(LightType type) noexcept {
-    return type >= LightType::sun;
+    return type >= LightType::tube;
 }
 [[nodiscard]] constexpr bool is_shape(LightType type) noexcept {
-    return type >= LightType::sphere;
+    return type == LightType::tube || type >= LightType::sphere;
 }
 
 /// The name in files and on the command line: "point", "rectangle", ...

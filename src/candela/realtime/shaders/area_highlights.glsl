@@ -2,87 +2,113 @@
 #ifndef CANDELA_AREA_HIGHLIGHTS_GLSL
 #define CANDELA_AREA_HIGHLIGHTS_GLSL
 
-float area_ltc(int kind, mat3 m, vec3 n, vec3 v, AreaLight a) {
-    if (kind == kLightDisk) return ltc_disk(m, n, v, a.to_center_m, a.direction, a.radius_m);
-    if (kind == kLightRectangle) {
-        return ltc_rectangle(m, n, v, a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m);
+float area_ltc(uint group, mat3 m, vec3 n, vec3 v, AreaLight a) {
+    LtcFrame lobe = ltc_frame(m, n, v);
+    if (group == kPolygons) {
+        return ltc_quad(lobe, lobe.to_cosine * a.outline[0], lobe.to_cosine * a.outline[1],
+                        lobe.to_cosine * a.outline[2], lobe.to_cosine * a.outline[3]);
     }
-    if (kind == kLightTube || kind == kLightLine) {
-        return ltc_tube(m, n, v, a.to_center_m, a.right, a.half_width_m, a.radius_m);
-    }
-    if (kind == kLightTriangle) return ltc_triangle(m, n, v, a.corners[0], a.corners[1], a.corners[2]);
-    return ltc_sphere(m, n, v, a.to_center_m, a.radius_m);
+    if (group == kCapsules) return ltc_capsule(lobe, a.to_center_m, a.right, a.half_width_m, a.radius_m);
+    return ltc_ellipse(lobe, a.outline[0], a.outline[1], a.outline[2]);
 }
 
 // The point that stands for the light in a lobe about `mirror`, and the lobe's normalization.
-vec3 area_highlight_point(int kind, AreaLight a, vec3 mirror, float alpha, out float normalization) {
+vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float alpha, out float normalization) {
     float distance_m = length(a.to_center_m);
     normalization = 1.0;
-    if (kind == kLightSun) {
+    if (is_kind(kind, kLightSun)) {
         // The sun is so small that there is nothing to take back (Frostbite 4.6).
         float angular_radius_rad = atan(a.radius_m, sqrt(1.0 - square(a.radius_m)));
         return representative_direction_of_sun(a.to_center_m, mirror, angular_radius_rad);
     }
-    if (kind == kLightRectangle) {
+    if (is_kind(kind, kLightRectangle)) {
         normalization = representative_point_rectangle_normalization(alpha, a.half_width_m, a.half_height_m, distance_m);
         return representative_point_rectangle(a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m, mirror);
     }
-    if (kind == kLightTube || kind == kLightLine) {
+    if (group == kCapsules) {
         normalization = representative_point_tube_normalization(alpha, a.half_width_m, a.radius_m, distance_m);
         return representative_point_tube(a.to_center_m, a.right, a.half_width_m, a.radius_m, mirror);
     }
     normalization = representative_point_sphere_normalization(alpha, a.radius_m, distance_m);
-    if (kind == kLightDisk || kind == kLightTriangle) {
+    if (group == kPolygons || is_kind(kind, kLightDisk)) {
         return representative_point_disk(a.to_center_m, a.direction, a.radius_m, mirror);
     }
     return representative_point_sphere(a.to_center_m, mirror, a.radius_m);
 }
 
 // D V of the point, and its direction.
-float area_highlight_lobe(int kind, AreaLight a, vec3 n, vec3 v, float alpha, out vec3 l) {
-    float normalization;
+float area_highlight_lobe(uint group, int kind, AreaLight a, vec3 n, vec3 v, float alpha, out vec3 l) {
+    float normalization = 1.0;
     vec3 point = a.to_center_m;
     float lobe_alpha = alpha;
-    if (kAreaSpecular == kAreaSpecularWidening) {
-        normalization = 1.0;
-        float width_m = kind == kLightTube || kind == kLightLine || kind == kLightRectangle
-                            ? max(a.half_width_m, a.half_height_m) : a.radius_m;
-        lobe_alpha = alpha_widened_by_sphere(alpha, width_m, length(point));
+    if (kAreaSpecular == kAreaSpecularLtc) {
+        lobe_alpha = alpha_widened_by_disc(alpha, a.radius_m);  // only the sun comes here
+    } else if (kAreaSpecular == kAreaSpecularWidening) {
+        bool wide = group == kCapsules || is_kind(kind, kLightRectangle);
+        lobe_alpha = alpha_widened_by_sphere(alpha, wide ? max(a.half_width_m, a.half_height_m) : a.radius_m,
+                                             length(point));
     } else {
         vec3 mirror = reflect(-v, n);
         if (kAreaSpecular == kAreaSpecularDominantDirection) mirror = specular_dominant_direction_area(n, mirror, alpha);
-        point = area_highlight_point(kind, a, mirror, alpha, normalization);
+        point = area_highlight_point(group, kind, a, mirror, alpha, normalization);
     }
     l = direction_of(point);
     return normalization * specular_at_point(n, v, point, alpha, lobe_alpha);
 }
 
-vec3 base_highlight(int kind, SurfacePoint p, AreaLight a, float lx_per_nit) {
+// One lobe's highlight: a base's f0 and f90 with the albedo of its lobe, or a coat's.
+struct AreaLobe {
+    mat3 ltc;
+    vec3 n;
+    float alpha;
+    vec3 albedo;  // with Fresnel
+    vec3 f0;
+    vec3 f90;
+};
+
+vec3 area_highlight(uint group, int kind, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
+    vec3 sum = vec3(0.0);
     if (kAreaSpecular == kAreaSpecularLtc) {
         // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
         // other words).
-        vec3 albedo = p.prepared.specular_f0 * p.dfg.x + p.prepared.specular_f90 * p.dfg.y;
-        return albedo * area_ltc(kind, p.area.ltc, p.g.normal, p.v, a);
+        sum = lobe.albedo * area_ltc(group, lobe.ltc, lobe.n, p.v, a);
+        if (!is_kind(kind, kLightSun) || lobe.alpha < kSunImageAlpha) return sum;
     }
     vec3 l;
-    float lobe = area_highlight_lobe(kind, a, p.g.normal, p.v, p.prepared.alpha, l);
+    float value = area_highlight_lobe(group, kind, a, lobe.n, p.v, lobe.alpha, l);
     float LoH = saturate(dot(l, normalize(p.v + l)));
-    return specular_fresnel(techniques(), p.prepared.specular_f0, p.prepared.specular_f90, LoH) * (lobe * lx_per_nit);
+    return specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
 }
 
-// An anisotropic base has its highlight from area lights as an isotropic one of the same roughness.
-vec3 area_highlights(int kind, SurfacePoint p, AreaLight a, float lx_per_nit) {
-    if (kind == kLightLine) lx_per_nit /= highlight_nit(kind, a);
-    vec3 sum = base_highlight(kind, p, a, lx_per_nit) * p.area.under_layers;
-    if (!kShadeLayers) return sum;
-    if (kAreaSpecular == kAreaSpecularLtc) {
-        return sum + p.area.coat * area_ltc(kind, p.area.coat_ltc, p.g.coat_normal, p.v, a);
+// The highlight, per unit of AreaLight::nit. Returns the lx per such unit on the base. An anisotropic base has its highlight
+// from area lights as an isotropic one of the same roughness. The coat is a second turn of a loop, so that the code is there
+// once.
+float area_highlights(uint group, int kind, SurfacePoint p, AreaLight a, out vec3 specular) {
+    AreaLobe lobe;
+    lobe.ltc = p.area.ltc;
+    lobe.n = p.g.normal;
+    lobe.alpha = p.prepared.alpha;
+    lobe.f0 = p.prepared.specular_f0 * p.area.under_layers;
+    lobe.f90 = p.prepared.specular_f90 * p.area.under_layers;
+    lobe.albedo = lobe.f0 * p.dfg.x + lobe.f90 * p.dfg.y;
+    float base_lx = 0.0;
+    specular = vec3(0.0);
+    const int lobes = kShadeLayers ? 2 : 1;
+    for (int i = 0; i < lobes; ++i) {
+        float lx = area_illuminance(group, kind, lobe.n, a);
+        specular += area_highlight(group, kind, p, lobe, a, lx);
+        base_lx = i == 0 ? lx : base_lx;
+        if (kShadeLayers) {
+            lobe.ltc = p.area.coat_ltc;
+            lobe.n = p.g.coat_normal;
+            lobe.alpha = alpha_from_perceptual_roughness(p.g.surface.coat_perceptual_roughness);
+            lobe.albedo = vec3(p.area.coat * p.area.coat_albedo);
+            lobe.f0 = vec3(p.area.coat);
+            lobe.f90 = vec3(p.area.coat);
+        }
     }
-    vec3 l;
-    float alpha = alpha_from_perceptual_roughness(p.g.surface.coat_perceptual_roughness);
-    float lobe = area_highlight_lobe(kind, a, p.g.coat_normal, p.v, alpha, l);
-    float coat_lx = area_illuminance(kind, p.g.coat_normal, a) / (kind == kLightLine ? highlight_nit(kind, a) : 1.0);
-    return sum + vec3(p.area.coat * lobe * coat_lx);
+    specular *= highlight_nit(kind, a);
+    return base_lx;
 }
 
 #endif

@@ -1,6 +1,8 @@
 // Lights with extent. Diffuse light is their illuminance times the diffuse lobe, taken in one direction that represents
-// them; highlights are linearly transformed cosines or the lobe at a representative point. The kind is a constant where
-// these functions are called, so that every call keeps only its own kind's code.
+// them; highlights are linearly transformed cosines or the lobe at a representative point.
+//
+// Kinds whose outlines are alike are one group and share their code: a polygon, an ellipse, a capsule. The group is a constant where
+// these functions are called; within it is_kind() tells the kinds apart that the scene has.
 #ifndef CANDELA_AREA_LIGHTS_GLSL
 #define CANDELA_AREA_LIGHTS_GLSL
 
@@ -26,11 +28,21 @@ const int kAreaSpecularRepresentativePoint = 1;
 const int kAreaSpecularDominantDirection = 2;
 const int kAreaSpecularWidening = 3;
 
-const uint kAreaKinds = (1u << kLightLine) | (1u << kLightSun) | (1u << kLightSphere) | (1u << kLightDisk) |
-                        (1u << kLightRectangle) | (1u << kLightTube) | (1u << kLightTriangle);
+// First and last kind of each group; LightKind in C++ keeps them together.
+const uint kCapsules = 0u;  // line, tube
+const uint kEllipses = 1u;  // sun, sphere, disk
+const uint kPolygons = 2u;  // rectangle, triangle
+const uint kAreaKinds = (1u << kLightLine) | (1u << kLightTube) | (1u << kLightSun) | (1u << kLightSphere) |
+                        (1u << kLightDisk) | (1u << kLightRectangle) | (1u << kLightTriangle);
 
 // A line is a tube of the thickness below which punctual lights end, where only its highlight is concerned.
 const float kLineRadius_m = 0.5 * kPunctualMinDistance_m;
+
+// Rougher than this the sun is a direction to the lobe, narrower it is an image.
+const float kSunImageAlpha = 0.01;
+
+// False at compile time where the scene has no light of the kind.
+bool is_kind(int kind, int which) { return (kLightKinds & (1u << uint(which))) != 0u && kind == which; }
 
 // A light in the receiver's frame, turned to it; black where it shines away. Positions in m from the receiver.
 struct AreaLight {
@@ -42,57 +54,87 @@ struct AreaLight {
     float half_width_m;
     float half_height_m;
     float radius_m;
-    vec3 corners[3];  // of a triangle, in the order in which rectangle_corners has a rectangle's
+    float area_m2;  // of polygons
+    float extent2;  // polygon_projected_solid_angle's
+    // What the receiver sees of it. Of polygons the corners in rectangle_corners' order; of ellipses (x, y, z) the centre and
+    // two conjugate radii.
+    vec3 outline[4];
 };
 
-AreaLight triangle_light(Light light, vec3 position) {
-    AreaLight a;
-    a.nit = light.color_type.rgb;
-    a.corners[0] = light.position_range.xyz - position;
-    a.corners[1] = light.direction_a.xyz - position;
-    a.corners[2] = light.right_b.xyz - position;
-    vec3 twice_area = cross(a.corners[1] - a.corners[0], a.corners[2] - a.corners[0]);
-    float area2_m2 = length(twice_area);
-    a.direction = twice_area / max(area2_m2, 1.0e-20);
-    if (dot(a.direction, a.corners[0]) > 0.0) {
+void turn_to_receiver(Light light, inout AreaLight a) {
+    if (dot(a.direction, a.to_center_m) > 0.0) {
         if ((light.links.x & kLightTwoSided) == 0) a.nit = vec3(0.0);
         a.direction = -a.direction;
-    } else {
-        vec3 swap = a.corners[1];
-        a.corners[1] = a.corners[2];
-        a.corners[2] = swap;
     }
-    a.to_center_m = (a.corners[0] + a.corners[1] + a.corners[2]) * (1.0 / 3.0);
-    a.radius_m = sqrt(0.5 * INV_PI * area2_m2);  // of the disk of the same area
-    return a;
 }
 
-AreaLight area_light(int kind, Light light, vec3 position) {
-    if (kind == kLightTriangle) return triangle_light(light, position);
+void place_triangle(Light light, vec3 position, inout AreaLight a) {
+    vec3 p = light.position_range.xyz - position;
+    vec3 q = light.direction_a.xyz - position;
+    vec3 r = light.right_b.xyz - position;
+    vec3 twice_area = cross(q - p, r - p);
+    float area2_m2 = length(twice_area);
+    a.direction = twice_area / max(area2_m2, 1.0e-20);
+    a.to_center_m = p;  // any point of the plane tells the side
+    vec3 front = a.direction;
+    turn_to_receiver(light, a);
+    bool turned = dot(front, a.direction) < 0.0;
+    a.outline[0] = p;
+    a.outline[1] = turned ? q : r;
+    a.outline[2] = turned ? r : q;
+    a.outline[3] = a.outline[2];
+    a.to_center_m = (p + q + r) * (1.0 / 3.0);
+    a.area_m2 = 0.5 * area2_m2;
+    a.extent2 = INV_PI * a.area_m2;
+    a.radius_m = sqrt(a.extent2);  // of the disk of the same area
+}
+
+void place_rectangle(Light light, inout AreaLight a) {
+    turn_to_receiver(light, a);
+    a.up = cross(a.right, a.direction);
+    a.area_m2 = 4.0 * a.half_width_m * a.half_height_m;
+    a.extent2 = square(a.half_width_m) + square(a.half_height_m);
+    RectangleCorners c = rectangle_corners(a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m);
+    a.outline[0] = c.p0;
+    a.outline[1] = c.p1;
+    a.outline[2] = c.p2;
+    a.outline[3] = c.p3;
+}
+
+void place_ellipse(int kind, Light light, inout AreaLight a) {
+    if (is_kind(kind, kLightSun)) {
+        // The sphere at 1 m that fills the sun's disc. Limb darkening changes what is seen of it, not its illuminance.
+        a.to_center_m = -a.direction;
+        a.radius_m = sin(light.right_b.w);
+        a.nit = light.color_type.rgb * sun_nit_from_lx(1.0, 2.0 * light.right_b.w);
+    }
+    sphere_outline(a.to_center_m, a.radius_m, a.outline[0], a.outline[1], a.outline[2]);
+    if (is_kind(kind, kLightDisk)) {
+        turn_to_receiver(light, a);
+        a.up = cross(a.right, a.direction);
+        a.outline[0] = a.to_center_m;
+        a.outline[1] = a.right * a.radius_m;
+        a.outline[2] = a.up * a.radius_m;
+    }
+}
+
+AreaLight area_light(uint group, int kind, Light light, vec3 position) {
     AreaLight a;
-    a.nit = light.color_type.rgb;
     a.direction = light.direction_a.xyz;
     a.right = light.right_b.xyz;
     a.half_width_m = light.direction_a.w;
     a.half_height_m = light.right_b.w;
     a.radius_m = light.right_b.w;
-    if (kind == kLightSun) {
-        // The sphere at 1 m that fills the sun's disc. Limb darkening changes what is seen of it, not its illuminance.
-        a.to_center_m = -a.direction;
-        a.radius_m = sin(light.right_b.w);
-        a.nit *= sun_nit_from_lx(1.0, 2.0 * light.right_b.w);
+    a.to_center_m = light.position_range.xyz - position;
+    a.nit = light.color_type.rgb;
+    if (group == kPolygons && is_kind(kind, kLightTriangle)) {
+        place_triangle(light, position, a);
         return a;
     }
-    a.to_center_m = light.position_range.xyz - position;
     a.nit *= window_attenuation(length(a.to_center_m), light.position_range.w);
-    if (kind == kLightLine) a.radius_m = kLineRadius_m;
-    if (kind == kLightDisk || kind == kLightRectangle) {
-        if (dot(a.direction, a.to_center_m) > 0.0) {
-            if ((light.links.x & kLightTwoSided) == 0) a.nit = vec3(0.0);
-            a.direction = -a.direction;
-        }
-        a.up = cross(a.right, a.direction);
-    }
+    if (group == kPolygons) place_rectangle(light, a);
+    if (group == kEllipses) place_ellipse(kind, light, a);
+    if (is_kind(kind, kLightLine)) a.radius_m = kLineRadius_m;
     return a;
 }
 
@@ -107,9 +149,13 @@ float rectangle_illuminance(vec3 n, AreaLight a) {
             return rectangle_projected_solid_angle_simplified(n, c, a.right, a.up, w, h);
         case kAreaDiffuseDrobot: return rectangle_projected_solid_angle_drobot(n, c, a.right, a.up, w, h);
         case kAreaDiffuseLightPosition: return rectangle_projected_solid_angle_position(n, c, a.right, a.up, w, h);
-        case kAreaDiffuseFiveTimes: return rectangle_projected_solid_angle_five_times(n, c, a.right, a.up, w, h);
-        default: return rectangle_projected_solid_angle(n, c, a.right, a.up, w, h);
+        default: return rectangle_projected_solid_angle_five_times(n, c, a.right, a.up, w, h);
     }
+}
+float polygon_illuminance(int kind, vec3 n, AreaLight a) {
+    if (kAreaDiffuse != kAreaDiffuseExact && is_kind(kind, kLightRectangle)) return rectangle_illuminance(n, a);
+    return polygon_projected_solid_angle(n, a.to_center_m, -a.area_m2 * a.direction, a.extent2, a.outline[0],
+                                         a.outline[1], a.outline[2], a.outline[3]);
 }
 float sphere_illuminance(vec3 n, AreaLight a) {
     switch (kAreaDiffuse) {
@@ -141,26 +187,36 @@ float tube_illuminance(vec3 n, AreaLight a) {
     }
 }
 
+// Whether a group's kinds are all one, so that the others' code need not run.
+bool only_kind(uint group, int which) {
+    uint kinds = group == kCapsules ? (1u << kLightLine) | (1u << kLightTube)
+                                    : (1u << kLightSun) | (1u << kLightSphere) | (1u << kLightDisk);
+    return (kLightKinds & kinds) == (1u << uint(which));
+}
+
 // lx per unit of AreaLight::nit on a surface of normal n.
-float area_illuminance(int kind, vec3 n, AreaLight a) {
-    if (kind == kLightLine) return line_illuminance(n, a.to_center_m, a.right, a.half_width_m);
-    if (kind == kLightDisk) return disk_illuminance(n, a);
-    if (kind == kLightRectangle) return rectangle_illuminance(n, a);
-    if (kind == kLightTube) return tube_illuminance(n, a);
-    if (kind == kLightTriangle) return triangle_projected_solid_angle(n, a.corners[0], a.corners[1], a.corners[2]);
-    return sphere_illuminance(n, a);
+float area_illuminance(uint group, int kind, vec3 n, AreaLight a) {
+    if (group == kPolygons) return polygon_illuminance(kind, n, a);
+    if (group == kCapsules) {
+        float of_line = is_kind(kind, kLightLine) ? line_illuminance(n, a.to_center_m, a.right, a.half_width_m) : 0.0;
+        if (only_kind(group, kLightLine)) return of_line;
+        return is_kind(kind, kLightLine) ? of_line : tube_illuminance(n, a);
+    }
+    float of_disk = is_kind(kind, kLightDisk) ? disk_illuminance(n, a) : 0.0;
+    if (only_kind(group, kLightDisk)) return of_disk;
+    return is_kind(kind, kLightDisk) ? of_disk : sphere_illuminance(n, a);
 }
 
 // The direction in which lobes are taken that are evaluated once for the whole light; n . l > 0. Frostbite 4.7.4.
-vec3 area_direction(int kind, vec3 n, AreaLight a) {
-    if (kAreaDiffuse == kAreaDiffuseLightPosition || kind == kLightTriangle) {
+vec3 area_direction(uint group, int kind, vec3 n, AreaLight a) {
+    if (kAreaDiffuse == kAreaDiffuseLightPosition || is_kind(kind, kLightTriangle)) {
         return direction_above_horizon(n, direction_of(a.to_center_m));
     }
-    if (kind == kLightDisk) return disk_representative_direction(n, a.to_center_m, a.direction, a.radius_m);
-    if (kind == kLightRectangle) {
+    if (is_kind(kind, kLightDisk)) return disk_representative_direction(n, a.to_center_m, a.direction, a.radius_m);
+    if (group == kPolygons) {
         return rectangle_representative_direction(n, a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m);
     }
-    if (kind == kLightTube || kind == kLightLine) {
+    if (group == kCapsules) {
         return tube_representative_direction(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
     }
     return sphere_representative_direction(n, a.to_center_m, a.radius_m);
@@ -168,30 +224,31 @@ vec3 area_direction(int kind, vec3 n, AreaLight a) {
 
 // Where a line's highlight has a luminance, its cd become that of the thin tube that gives them.
 float highlight_nit(int kind, AreaLight a) {
-    return kind == kLightLine ? 1.0 / tube_projected_area(kLineRadius_m, 2.0 * a.half_width_m) : 1.0;
+    return is_kind(kind, kLightLine) ? 1.0 / tube_projected_area(kLineRadius_m, 2.0 * a.half_width_m) : 1.0;
 }
 
 #include "area_highlights.glsl"
 
-void add_area_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
-    AreaLight a = area_light(kind, light, p.position);
-    float lx_per_nit = area_illuminance(kind, p.g.normal, a);
-    // Triangles of emissive surfaces have no shadow maps.
-    if (kShadowKinds != 0u && kind != kLightTriangle && lx_per_nit * max_component(a.nit) > 0.0) {
-        a.nit *= light_visibility(light, p.position, p.facet, normalize(a.to_center_m), p.pixel);
-    }
-    vec3 l = area_direction(kind, p.g.normal, a);
+void add_area_light(uint group, int kind, Light light, SurfacePoint p, inout Lit lit) {
+    AreaLight a = area_light(group, kind, light, p.position);
+    vec3 specular;
+    float lx_per_nit = area_highlights(group, kind, p, a, specular);
+    vec3 l = area_direction(group, kind, p.g.normal, a);
     vec3 h = normalize(p.v + l);
     float NoL = saturate(dot(p.g.normal, l));
     float lobe = diffuse_lobe(techniques(), p.NoV, NoL, saturate(dot(l, h)), p.g.surface.perceptual_roughness);
-    vec3 illuminance_lx = a.nit * lx_per_nit;
-    lit.direct_diffuse += p.prepared.diffuse * p.area.under_layers * lobe * illuminance_lx;
-    lit.direct_specular += a.nit * highlight_nit(kind, a) * area_highlights(kind, p, a, lx_per_nit);
+    vec3 diffuse = p.prepared.diffuse * (p.area.under_layers * lobe * lx_per_nit);
     if (kShadeLayers) {
-        lit.direct_specular += p.g.surface.sheen_color * illuminance_lx *
-                               (p.area.under_coat * evaluate_sheen(p.NoV, NoL, saturate(dot(p.g.normal, h)),
-                                                                   p.g.surface.sheen_perceptual_roughness));
+        specular += p.g.surface.sheen_color *
+                    (lx_per_nit * p.area.under_coat *
+                     evaluate_sheen(p.NoV, NoL, saturate(dot(p.g.normal, h)), p.g.surface.sheen_perceptual_roughness));
     }
+    // Triangles of emissive surfaces have no shadow maps.
+    if (kShadowKinds != 0u && !is_kind(kind, kLightTriangle) && max_component(a.nit) > 0.0) {
+        a.nit *= light_visibility(light, p.position, p.facet, normalize(a.to_center_m), p.pixel);
+    }
+    lit.direct_diffuse += a.nit * diffuse;
+    lit.direct_specular += a.nit * specular;
 }
 
 // What of the surface all area lights need.
@@ -217,7 +274,7 @@ void prepare_area_lights(inout SurfacePoint p) {
     if (kAreaSpecular == kAreaSpecularLtc) {
         vec4 dfg = directional_albedo(coat_NoV, s.coat_perceptual_roughness);
         vec4 texel = textureLod(ltc_table, ltc_uv(coat_NoV, s.coat_perceptual_roughness), 0.0);
-        p.area.coat *= dfg.x + dfg.y;
+        p.area.coat_albedo = dfg.x + dfg.y;
         p.area.coat_ltc = ltc_inverse_matrix(texel);
     }
 }

@@ -1,4 +1,5 @@
-// The direct light of a list of lights that is sorted by kind: one loop a kind, compiled in only if the scene has it.
+// The direct light of a list of lights that is sorted by kind: one loop a kind or group of kinds, compiled in only if the scene
+// has it.
 #ifndef CANDELA_LIGHT_LOOP_GLSL
 #define CANDELA_LIGHT_LOOP_GLSL
 
@@ -16,6 +17,16 @@
         } while (entry >> 24u == uint(kind) + 1u);                                          \
     }
 
+// The same for a group of kinds that share their code.
+#define ADD_LIGHTS_OF_GROUP(group, first, last)                                                                   \
+    if ((kLightKinds & ((2u << uint(last)) - (1u << uint(first)))) != 0u &&                                       \
+        (entry >> 24u) - uint(first) - 1u <= uint(last - first)) {                                                \
+        do {                                                                                                      \
+            add_area_light(group, int(entry >> 24u) - 1, lights[entry & 0xffffffu], p, lit);                      \
+            entry = light_entries[++at];                                                                          \
+        } while ((entry >> 24u) - uint(first) - 1u <= uint(last - first));                                        \
+    }
+
 // at: of the list's first entry.
 void add_lights(SurfacePoint p, uint at, inout Lit lit) {
     uint entry = light_entries[at];
@@ -26,13 +37,9 @@ void add_lights(SurfacePoint p, uint at, inout Lit lit) {
 #ifndef CANDELA_WITHOUT_AREA_LIGHTS
     if ((kLightKinds & kAreaKinds) != 0u) {
         prepare_area_lights(p);
-        ADD_LIGHTS_OF(kLightLine, add_area_light)
-        ADD_LIGHTS_OF(kLightSun, add_area_light)
-        ADD_LIGHTS_OF(kLightSphere, add_area_light)
-        ADD_LIGHTS_OF(kLightDisk, add_area_light)
-        ADD_LIGHTS_OF(kLightRectangle, add_area_light)
-        ADD_LIGHTS_OF(kLightTube, add_area_light)
-        ADD_LIGHTS_OF(kLightTriangle, add_area_light)
+        ADD_LIGHTS_OF_GROUP(kCapsules, kLightLine, kLightTube)
+        ADD_LIGHTS_OF_GROUP(kEllipses, kLightSun, kLightDisk)
+        ADD_LIGHTS_OF_GROUP(kPolygons, kLightRectangle, kLightTriangle)
     }
 #endif
     ADD_LIGHTS_OF(kLightPhotometric, add_punctual_light)

@@ -24,11 +24,11 @@ const int kLightSpot = 1;
 const int kLightDirectional = 2;
 const int kLightFrustum = 3;
 const int kLightLine = 4;
-const int kLightSun = 5;
-const int kLightSphere = 6;
-const int kLightDisk = 7;
-const int kLightRectangle = 8;
-const int kLightTube = 9;
+const int kLightTube = 5;
+const int kLightSun = 6;
+const int kLightSphere = 7;
+const int kLightDisk = 8;
+const int kLightRectangle = 9;
 const int kLightTriangle = 10;
 const int kLightPhotometric = 11;
 

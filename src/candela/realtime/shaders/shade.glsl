@@ -64,6 +64,7 @@ struct AreaSurface {
     mat3 ltc;
     mat3 coat_ltc;
     float coat;          // times a coat's highlight: what it reflects
+    float coat_albedo;   // of the coat's lobe without Fresnel
     float under_coat;    // what reaches the sheen
     float under_layers;  // what reaches the base
 };
