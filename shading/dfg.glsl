@@ -139,6 +139,18 @@ FN vec3 EnvBRDFApprox(vec3 specular_color, float perceptual_roughness, float NoV
     return specular_color * ab.x + vec3(ab.y);
 }
 
+// EnvBRDFApprox for a non-metal of f0 = 0.04, of which Karis 2014 says that it folds: the reflectance itself. Constants are those
+// of env_brdf_approx, its tail by roughness (0.0016 - 0.00088 r) left out.
+FN float env_brdf_approx_nonmetal(float perceptual_roughness, float NoV) {
+    vec2 r = perceptual_roughness * vec2(-1.0f, -0.0275f) + vec2(1.0f, 0.0425f);
+    return min(r.x * r.x, exp2(-9.28f * NoV)) * r.x + r.y;
+}
+
+// Diffuse colour of a "fully rough" surface, which has no specular lobe: Karis 2014.
+FN vec3 fully_rough_color(vec3 diffuse_color, vec3 f0) {
+    return diffuse_color + 0.45f * f0;
+}
+
 // All four entries of the table without it: Karis 2014, the closed form of the diffuse albedo, the fit of the
 // sheen's.
 FN vec4 dfg_approx(float NoV, float perceptual_roughness) {

@@ -21,6 +21,14 @@ FN vec3 specular_dominant_direction_fit(vec3 n, vec3 mirror, float NoV, float al
     return mix(n, mirror, toward_mirror);
 }
 
+// Where the retro-reflective Disney diffuse lobe leans, for reading irradiance. Lagarde & de Rousiers 2014, section 4.9.3,
+// listing 23. Not normalised.
+FN vec3 diffuse_dominant_direction(vec3 n, vec3 v, float NoV, float perceptual_roughness) {
+    float slope = 1.02341f * perceptual_roughness - 1.51174f;
+    float offset = 0.755868f - 0.511705f * perceptual_roughness;
+    return mix(n, v, saturate((NoV * slope + offset) * perceptual_roughness));
+}
+
 // The version for area lights. Lagarde & de Rousiers 2014, section 4.7.5, listing 16. `alpha` in [0,1]; unit length.
 FN vec3 specular_dominant_direction_area(vec3 n, vec3 mirror, float alpha) {
     return normalize(mix(n, mirror, 1.0f - alpha));

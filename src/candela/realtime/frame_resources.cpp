@@ -25,7 +25,8 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(p.area_diffuse),
             bits(p.area_specular),
             frame.shadow_kinds,
-            bits(p.shadow_filter)};
+            bits(p.shadow_filter),
+            bits(p.irradiance)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {

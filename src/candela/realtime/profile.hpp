@@ -13,8 +13,17 @@ enum class DiffuseTechnique : std::uint8_t { lambert, disney, disney_renormalize
 enum class VisibilityTechnique : std::uint8_t { smith_correlated, schlick_smith };
 enum class FresnelTechnique : std::uint8_t { schlick, spherical_gaussian, schlick_micro_occlusion };
 enum class EnergyTechnique : std::uint8_t { none, compensated };
-enum class DfgTechnique : std::uint8_t { table, env_brdf_approx };
-enum class ReflectionTechnique : std::uint8_t { mirror_direction, dominant_direction };
+enum class DfgTechnique : std::uint8_t { table, env_brdf_approx, env_brdf_approx_nonmetal, fully_rough };
+enum class ReflectionTechnique : std::uint8_t {
+    mirror_direction,
+    dominant_direction,
+    dominant_direction_fit,
+    fitted_direction,
+    stretched_2,
+    stretched_3
+};
+/// Where a surface reads the irradiance of the environment.
+enum class IrradianceTechnique : std::uint8_t { normal, dominant_direction };
 enum class SpecularAaTechnique : std::uint8_t { none, footprint };
 /// Of what the shape has none of its own for, the nearest: shaders/area_lights.glsl.
 enum class AreaDiffuseTechnique : std::uint8_t {
@@ -42,6 +51,7 @@ struct Profile {
     EnergyTechnique energy = EnergyTechnique::compensated;
     DfgTechnique dfg = DfgTechnique::table;
     ReflectionTechnique reflection = ReflectionTechnique::dominant_direction;
+    IrradianceTechnique irradiance = IrradianceTechnique::normal;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;

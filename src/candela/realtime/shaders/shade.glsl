@@ -26,10 +26,12 @@ layout(constant_id = 10) const bool kHasEnvironment = false;
 layout(constant_id = 16) const bool kCulledLights = false;
 layout(constant_id = 17) const int kAreaDiffuse = 0;
 layout(constant_id = 18) const int kAreaSpecular = 0;
+layout(constant_id = 21) const int kIrradiance = 0;
 const bool kHasLights = kLightKinds != 0u;
 
-const int kDfgEnvBrdfApprox = 1;
-const int kReflectionDominant = 1;
+const int kDfgTable = 0;
+const int kDfgNonmetal = 2;
+const int kDfgFullyRough = 3;
 
 layout(set = 0, binding = 1, std430) readonly buffer Lights { Light lights[]; };
 layout(set = 0, binding = 2) uniform sampler2D dfg_table;
@@ -55,7 +57,7 @@ const Lit kNoLight = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
 BsdfTechniques techniques() { return BsdfTechniques(kDiffuse, kVisibility, kFresnel, kEnergy); }
 
 vec4 directional_albedo(float NoV, float perceptual_roughness) {
-    if (kDfg == kDfgEnvBrdfApprox) return dfg_approx(NoV, perceptual_roughness);
+    if (kDfg != kDfgTable) return dfg_approx(NoV, perceptual_roughness);
     return textureLod(dfg_table, dfg_uv(NoV, perceptual_roughness), 0.0);
 }
 
@@ -118,16 +120,7 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
 
 #include "light_loop.glsl"
 
-// Prefiltered environment about the lobe's direction, in cd/m^2.
-vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
-    vec3 mirror = 2.0 * dot(n, v) * n - v;
-    vec3 direction = mirror;
-    if (kReflection == kReflectionDominant) {
-        direction = specular_dominant_direction(n, mirror, alpha_from_perceptual_roughness(perceptual_roughness));
-    }
-    return sample_specular_ld(specular_map_ld, to_environment(direction), perceptual_roughness, frame.size.w) *
-           frame.environment.z;
-}
+#include "reflection.glsl"
 
 void add_environment(SurfacePoint p, inout Lit lit) {
     GBuffer g = p.g;
@@ -136,20 +129,28 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec4 dfg = p.dfg;
     float alpha = alpha_from_perceptual_roughness(g.surface.perceptual_roughness);
     float specular_visible = specular_occlusion(NoV, g.occlusion, alpha);
-    vec3 irradiance_over_pi = sample_irradiance(irradiance_map, to_environment(g.normal)) * frame.environment.z;
-    vec3 radiance = environment_specular(g.normal, v, g.surface.perceptual_roughness);
+    vec3 irradiance_over_pi = environment_diffuse(g.normal, v, NoV, g.surface.perceptual_roughness);
+    if (kDfg == kDfgFullyRough) {
+        lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
+        return;
+    }
+    vec3 radiance = environment_base(p);
     if (!kShadeLayers) {
+        vec3 weight = ibl_specular_weight(g.surface, techniques(), NoV, dfg);
+        if (kDfg == kDfgNonmetal && g.surface.metallic == 0.0) {
+            weight = vec3(env_brdf_approx_nonmetal(g.surface.perceptual_roughness, NoV));
+        }
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
-        lit.indirect_specular = ibl_specular_weight(g.surface, techniques(), NoV, dfg) * radiance * specular_visible;
+        lit.indirect_specular = weight * radiance * specular_visible;
         return;
     }
     float coat_NoV = max(dot(g.coat_normal, v), 1.0e-4);
     vec4 coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
-    vec3 coat_radiance = environment_specular(g.coat_normal, v, g.surface.coat_perceptual_roughness);
+    vec3 coat_radiance = environment_specular(g.coat_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
-                            w.sheen * irradiance_over_pi * g.occlusion;
+                            w.sheen * environment_sheen(p, irradiance_over_pi) * g.occlusion;
 }
 
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the

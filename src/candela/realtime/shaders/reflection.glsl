@@ -1,0 +1,86 @@
+// What glossy lobes see of the environment, by the profile's technique: prefiltered light at one or more places.
+#ifndef CANDELA_REFLECTION_GLSL
+#define CANDELA_REFLECTION_GLSL
+
+#include "layer_reflection.glsl"
+#include "stretched_reflection.glsl"
+
+const int kReflectionDominant = 1;
+const int kReflectionDominantFit = 2;
+const int kReflectionFitted = 3;
+const int kReflectionStretched2 = 4;
+const int kReflectionStretched3 = 5;
+const int kIrradianceDominant = 1;
+
+// Prefiltered environment about a direction that need not be unit, in cd/m^2.
+vec3 environment_glossy(vec3 direction, float perceptual_roughness) {
+    return sample_specular_ld(specular_map_ld, to_environment(direction), perceptual_roughness, frame.size.w) *
+           frame.environment.z;
+}
+vec3 environment_glossy(LobeRead read) {
+    return environment_glossy(read.direction, read.perceptual_roughness) * read.weight;
+}
+
+// Seen in the lobe D V F cos of n and v, in cd/m^2: the first factor of the split sum. share: fresnel_share() of the lobe.
+vec3 environment_specular(vec3 n, vec3 v, float NoV, float perceptual_roughness, float share) {
+    LobeRead a;
+    LobeRead b;
+    LobeRead c;
+    if (kReflection == kReflectionFitted) {
+        return environment_glossy(fitted_reflection(n, v, NoV, perceptual_roughness, share));
+    }
+    if (kReflection == kReflectionStretched2) {
+        stretched_reflection_2(n, v, NoV, perceptual_roughness, share, a, b);
+        return environment_glossy(a) + environment_glossy(b);
+    }
+    if (kReflection == kReflectionStretched3) {
+        stretched_reflection_3(n, v, NoV, perceptual_roughness, share, a, b, c);
+        return environment_glossy(a) + environment_glossy(b) + environment_glossy(c);
+    }
+    vec3 mirror = 2.0 * dot(n, v) * n - v;
+    float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
+    if (kReflection == kReflectionDominant) {
+        return environment_glossy(specular_dominant_direction(n, mirror, alpha), perceptual_roughness);
+    }
+    if (kReflection == kReflectionDominantFit) {
+        return environment_glossy(specular_dominant_direction_fit(n, mirror, NoV, alpha), perceptual_roughness);
+    }
+    return environment_glossy(mirror, perceptual_roughness);
+}
+
+vec3 environment_anisotropic(SurfacePoint p) {
+    vec2 alpha = anisotropic_alpha(p.g.surface.perceptual_roughness, p.g.surface.anisotropy);
+    AnisotropicLobe lobe = anisotropic_lobe(p.g.normal, p.g.tangent, p.bitangent, p.v, p.NoV, alpha);
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (int i = 0; i < kAnisotropicReads; ++i) {
+        LobeRead read = anisotropic_read(lobe, i);
+        sum += environment_glossy(read);
+        weights += read.weight;
+    }
+    return sum / max(weights, 1.0e-6);
+}
+
+// Seen in the base's lobe. What the papers have no technique for is as if isotropic with theirs.
+vec3 environment_base(SurfacePoint p) {
+    if (kShadeLayers && kReflection >= kReflectionFitted && p.g.surface.anisotropy > 0.0) return environment_anisotropic(p);
+    float share = fresnel_share(luminance(p.prepared.specular_f0), luminance(p.prepared.specular_f90), p.dfg.xy);
+    return environment_specular(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness, share);
+}
+
+// Seen in the sheen's lobe.
+vec3 environment_sheen(SurfacePoint p, vec3 irradiance_over_pi) {
+    if (kReflection < kReflectionFitted || max_component(p.g.surface.sheen_color) <= 0.0) return irradiance_over_pi;
+    return environment_glossy(sheen_read(p.g.normal, p.v, p.NoV, p.g.surface.sheen_perceptual_roughness));
+}
+
+// Irradiance / pi as a diffuse surface sees it.
+vec3 environment_diffuse(vec3 n, vec3 v, float NoV, float perceptual_roughness) {
+    vec3 direction = n;
+    if (kIrradiance == kIrradianceDominant && kDiffuse != kDiffuseLambert) {
+        direction = diffuse_dominant_direction(n, v, NoV, perceptual_roughness);
+    }
+    return sample_irradiance(irradiance_map, to_environment(direction)) * frame.environment.z;
+}
+
+#endif
