@@ -15,7 +15,6 @@ namespace {
 using namespace shading;
 
 constexpr std::uint32_t kSize = 128;
-constexpr int kPrefilterSamples = 512;
 constexpr int kIrradianceSamples = 256;
 
 scene::CubeMap halved(const scene::CubeMap& fine) {
@@ -157,7 +156,7 @@ glm::vec3 ImageLight::around(const glm::vec3& direction, float solid_angle_sr) c
     return mix(bilinear(levels_[finer], uv_face), bilinear(levels_[finer + 1], uv_face), level - float(finer));
 }
 
-glm::vec3 ImageLight::prefiltered(const glm::vec3& direction, float perceptual_roughness) const {
+glm::vec3 ImageLight::prefiltered(const glm::vec3& direction, float perceptual_roughness, int samples) const {
     const float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
     const vec3 n = normalize(direction);
     vec3 t;
@@ -165,12 +164,13 @@ glm::vec3 ImageLight::prefiltered(const glm::vec3& direction, float perceptual_r
     orthonormal_basis(n, t, b);
     vec3 sum(0.0f);
     float weights = 0.0f;
-    for (int i = 0; i < kPrefilterSamples; ++i) {
-        const vec3 h = sample_ggx_ndf(hammersley(uint(i), kPrefilterSamples) + vec2(0.5f / kPrefilterSamples), alpha);
+    for (int i = 0; i < samples; ++i) {
+        const vec3 h =
+            sample_ggx_ndf(hammersley(uint(i), uint(samples)) + vec2(0.5f / float(samples)), alpha);
         const vec3 l = 2.0f * h.z * h - vec3(0.0f, 0.0f, 1.0f);
         if (l.z <= 0.0f) continue;
         const float pdf = pdf_reflected(pdf_ggx_ndf(h, alpha), h.z);
-        sum += l.z * around(to_world(l, t, b, n), 1.0f / (pdf * float(kPrefilterSamples)));
+        sum += l.z * around(to_world(l, t, b, n), 1.0f / (pdf * float(samples)));
         weights += l.z;
     }
     return sum / weights;

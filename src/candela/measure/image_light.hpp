@@ -21,10 +21,8 @@ class ImageLight {
     /// Bilinear within a face and linear between levels, of texels of about this solid angle in sr.
     [[nodiscard]] glm::vec3 around(const glm::vec3& direction, float solid_angle_sr) const;
     /// What a perfectly prefiltered map holds: Frostbite equation 53 (n = v = r, weighted by n.l).
-    [[nodiscard]] glm::vec3 prefiltered(const glm::vec3& direction, float perceptual_roughness) const;
-    [[nodiscard]] glm::vec3 prefiltered(const shading::LobeRead& read) const {
-        return read.weight * prefiltered(read.direction, read.perceptual_roughness);
-    }
+    [[nodiscard]] glm::vec3 prefiltered(const glm::vec3& direction, float perceptual_roughness,
+                                        int samples = 512) const;
     [[nodiscard]] glm::vec3 irradiance_over_pi(const glm::vec3& n) const;
 
   private:

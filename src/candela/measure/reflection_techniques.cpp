@@ -31,7 +31,8 @@ template <class Direction>
 auto one_read(Direction direction) {
     return [direction](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
         const float alpha = alpha_from_perceptual_roughness(s.perceptual_roughness);
-        return light.prefiltered(direction(frame.n, mirror_of(frame), NoV, alpha), s.perceptual_roughness) *
+        return light.prefiltered(direction(frame.n, mirror_of(frame), NoV, alpha), s.perceptual_roughness,
+                                 s.prefilter_samples) *
                reflectance(s, NoV);
     };
 }
@@ -41,7 +42,7 @@ auto fitted_reads(int count) {
         vec3 sum(0.0f);
         const float share = fresnel_share(s.f0, 1.0f, dfg_table().read(NoV, s.perceptual_roughness));
         for (const LobeRead& read : lobe_reads_of(count, frame.n, frame.v, NoV, s.perceptual_roughness, share))
-            sum += light.prefiltered(read);
+            sum += read.weight * light.prefiltered(read.direction, read.perceptual_roughness, s.prefilter_samples);
         return sum * reflectance(s, NoV);
     };
 }

@@ -14,6 +14,7 @@ namespace candela::measure {
 struct GlossySurface {
     float f0 = 1.0f;
     float perceptual_roughness = 0.5f;
+    int prefilter_samples = 512;  ///< of each read; pictures do with fewer
 };
 
 struct ReflectionTechnique {
