@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "bake_lobes.hpp"
 #include "candela/bake/ltc_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
 #include "candela/scene/error.hpp"
@@ -79,9 +80,10 @@ int bake_ltc(const BakeOptions& options) {
 }
 
 int bake(const BakeOptions& options) {
+    if (options.what == "lobes") return bake_lobes(options.output, options.json);
     if (options.what != "ltc")
         throw input_error("there is no table '" + options.what + "' to bake", "candela bake",
-                          "candela bake ltc");
+                          "candela bake ltc or candela bake lobes");
     return bake_ltc(options);
 }
 
@@ -90,10 +92,10 @@ int bake(const BakeOptions& options) {
 void add_bake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = app.add_subcommand("bake", "Compute tables that rendering reads");
-    command->add_option("what", options->what, "ltc: the matrices of linearly transformed cosines")
+    command->add_option("what", options->what, "ltc: the matrices of linearly transformed cosines; lobes: reads of environments along the lobe")
         ->required();
     command->add_option("-o,--output", options->output,
-                        "File for the table (ltc_table.bin); its metadata goes beside it, as .json");
+                        "File for the table (ltc_table.bin; lobes: JSON, none unless said); its metadata goes beside it, as .json");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

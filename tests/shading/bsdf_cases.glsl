@@ -8,6 +8,7 @@
 #include "../../shading/dominant_direction.glsl"
 #include "../../shading/footprint.glsl"
 #include "../../shading/gaussian_specular.glsl"
+#include "../../shading/layer_reflection.glsl"
 #include "../../shading/lights/representative_point.glsl"
 #include "../../shading/occlusion.glsl"
 #include "../../shading/octahedral.glsl"
@@ -175,6 +176,48 @@ FN vec4 case_dominant_direction(NUMBERS) {
     vec3 area = specular_dominant_direction_area(n, mirror, u[2]);
     return vec4(fit.x, fit.z, area.x, area.z);
 }
+FN vec4 case_diffuse_dominant_direction(NUMBERS) {
+    vec3 n = vec3(0.0f, 0.0f, 1.0f);
+    vec3 v = case_direction(u[0], u[1]);
+    vec3 d = diffuse_dominant_direction(n, v, v.z, with_edges(u[2]));
+    return vec4(d, env_brdf_approx_nonmetal(with_edges(u[3]), u[4]));
+}
+FN vec4 case_read(LobeRead read) {
+    return vec4(read.direction.x + read.direction.y, read.direction.z, read.perceptual_roughness, read.weight);
+}
+FN vec4 case_fitted_reflection(NUMBERS) {
+    vec3 v = case_direction(u[0], u[1]);
+    return case_read(fitted_reflection(vec3(0.0f, 0.0f, 1.0f), v, v.z, between(0.05f, 1.0f, u[2]), u[3]));
+}
+FN vec4 case_stretched_reflection(NUMBERS) {
+    vec3 n = vec3(0.0f, 0.0f, 1.0f);
+    vec3 v = case_direction(u[0], u[1]);
+    float r = between(0.05f, 1.0f, u[2]);
+    LobeRead a;
+    LobeRead b;
+    LobeRead c;
+    if (u[4] < 0.5f) {
+        stretched_reflection_2(n, v, v.z, r, u[3], a, b);
+        return u[5] < 0.5f ? case_read(a) : case_read(b);
+    }
+    stretched_reflection_3(n, v, v.z, r, u[3], a, b, c);
+    return u[5] < 0.3f ? case_read(a) : (u[5] < 0.6f ? case_read(b) : case_read(c));
+}
+FN vec4 case_anisotropic_read(NUMBERS) {
+    vec3 v = case_direction(u[0], u[1]);
+    vec2 alpha = anisotropic_alpha(between(0.2f, 0.8f, u[2]), between(0.2f, 1.0f, u[3]));
+    AnisotropicLobe lobe =
+        anisotropic_lobe(vec3(0.0f, 0.0f, 1.0f), vec3(1.0f, 0.0f, 0.0f), vec3(0.0f, 1.0f, 0.0f), v, v.z, alpha);
+    // Which way the row runs is not determined: the same of both ends.
+    LobeRead first = anisotropic_read(lobe, 0);
+    LobeRead last = anisotropic_read(lobe, 4);
+    return vec4(first.direction.z + last.direction.z, first.weight + last.weight, first.perceptual_roughness,
+                anisotropic_read(lobe, 2).weight);
+}
+FN vec4 case_sheen_read(NUMBERS) {
+    vec3 v = case_direction(u[0], u[1]);
+    return case_read(sheen_read(vec3(0.0f, 0.0f, 1.0f), v, v.z, u[2]));
+}
 FN vec4 case_representative_point(NUMBERS) {
     vec3 mirror = case_direction(u[0], u[1]);
     vec3 v = case_direction(u[2], u[3]);
@@ -268,6 +311,11 @@ CANDELA_SHADING_END
     X(case_gaussian_specular, 1e-5f) \
     X(case_directional_lobe, 1e-5f) \
     X(case_dominant_direction, 1e-5f) \
+    X(case_diffuse_dominant_direction, 1e-5f) \
+    X(case_fitted_reflection, 2e-5f) \
+    X(case_stretched_reflection, 2e-5f) \
+    X(case_anisotropic_read, 1e-4f) \
+    X(case_sheen_read, 2e-5f)       \
     X(case_representative_point, 1e-5f) \
     X(case_standard, 1e-5f)         \
     X(case_standard_vectors, 1e-5f) \

@@ -1,0 +1,78 @@
+#include "bake_lobes.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "candela/bake/lobe_fit.hpp"
+#include "candela/io/image_write_safe.hpp"
+#include "candela/version.hpp"
+
+namespace candela::app {
+namespace {
+
+/// As many digits as shading/stretched_reflection.glsl has.
+double rounded(double value) {
+    return std::round(1.0e4 * value) / 1.0e4;
+}
+
+std::string name_of(std::size_t row, std::size_t reads) {
+    const std::string letter(1, char('a' + int(row < 2 * reads ? row / 2 : row - 2 * reads)));
+    if (row >= 2 * reads) return "weight_" + letter;
+    return (row % 2 == 0 ? "tilt_" : "width_") + letter;
+}
+
+nlohmann::json fit_of(int reads) {
+    const bake::LobeFit fit = bake::fit_lobe_reads(reads);
+    nlohmann::json polynomials = nlohmann::json::object();
+    for (std::size_t row = 0; row < fit.coefficients.size(); ++row) {
+        nlohmann::json& numbers = polynomials[name_of(row, std::size_t(reads))];
+        for (const double c : fit.coefficients[row]) numbers.push_back(rounded(c));
+    }
+    return {{"reads", reads},
+            {"mean_error", rounded(fit.errors.mean)},
+            {"largest_error", rounded(fit.errors.largest)},
+            {"polynomials", polynomials}};
+}
+
+void print(const nlohmann::json& fit) {
+    std::printf("reads %d: error %.4f on average, %.4f at most\n", fit["reads"].get<int>(),
+                fit["mean_error"].get<double>(), fit["largest_error"].get<double>());
+    for (const auto& [name, c] : fit["polynomials"].items()) {
+        std::printf("  %s:", name.c_str());
+        for (std::size_t i = 0; i < c.size(); i += 4)
+            std::printf(" vec4(%.4ff, %.4ff, %.4ff, %.4ff)", c[i].get<double>(), c[i + 1].get<double>(),
+                        c[i + 2].get<double>(), c[i + 3].get<double>());
+        std::printf("\n");
+    }
+}
+
+}  // namespace
+
+int bake_lobes(const std::string& output, bool json) {
+    std::unique_ptr<io::detail::SafeFile> file;
+    if (!output.empty()) file = std::make_unique<io::detail::SafeFile>(output);
+    nlohmann::json all{{"table", "reads of prefiltered environments along the lobe"},
+                       {"written_by", std::string("candela ") + version()},
+                       {"lobe",
+                        "D V F cos of GGX with height-correlated Smith and Schlick's Fresnel, f0 1 and 0.04, over its albedo"},
+                       {"read", "the lobe of n = v = r, weighted by n.l (Frostbite equation 53)"},
+                       {"views", "perceptual roughness 0.1 to 1 in tenths, 16 angles from 2.8 to 87.2 degrees"},
+                       {"error", "see bake/lobe_fit.hpp"},
+                       {"terms", {"1", "z", "c", "r", "z z", "c z", "r z", "r c", "s", "s z", "s c", "s r"}},
+                       {"fits", nlohmann::json::array()}};
+    for (int reads = 1; reads <= 3; ++reads) {
+        all["fits"].push_back(fit_of(reads));
+        if (!json) print(all["fits"].back());
+    }
+    const std::string text = all.dump(2) + "\n";
+    if (json) std::printf("%s", text.c_str());
+    if (file) {
+        (void)file->write(text.data(), text.size());
+        file->commit();
+    }
+    return 0;
+}
+
+}  // namespace candela::app
