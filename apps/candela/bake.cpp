@@ -92,10 +92,14 @@ int bake(const BakeOptions& options) {
 void add_bake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = app.add_subcommand("bake", "Compute tables that rendering reads");
-    command->add_option("what", options->what, "ltc: the matrices of linearly transformed cosines; lobes: reads of environments along the lobe")
+    command
+        ->add_option(
+            "what", options->what,
+            "ltc: the matrices of linearly transformed cosines; lobes: reads of environments along the lobe")
         ->required();
     command->add_option("-o,--output", options->output,
-                        "File for the table (ltc_table.bin; lobes: JSON, none unless said); its metadata goes beside it, as .json");
+                        "File for the table (ltc_table.bin; lobes: JSON, none unless said); its metadata "
+                        "goes beside it, as .json");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

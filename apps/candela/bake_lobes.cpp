@@ -53,15 +53,17 @@ void print(const nlohmann::json& fit) {
 int bake_lobes(const std::string& output, bool json) {
     std::unique_ptr<io::detail::SafeFile> file;
     if (!output.empty()) file = std::make_unique<io::detail::SafeFile>(output);
-    nlohmann::json all{{"table", "reads of prefiltered environments along the lobe"},
-                       {"written_by", std::string("candela ") + version()},
-                       {"lobe",
-                        "D V F cos of GGX with height-correlated Smith and Schlick's Fresnel, f0 1 and 0.04, over its albedo"},
-                       {"read", "the lobe of n = v = r, weighted by n.l (Frostbite equation 53)"},
-                       {"views", "perceptual roughness 0.1 to 1 in tenths, 16 angles from 2.8 to 87.2 degrees"},
-                       {"error", "see bake/lobe_fit.hpp"},
-                       {"terms", {"1", "z", "c", "r", "z z", "c z", "r z", "r c", "s", "s z", "s c", "s r"}},
-                       {"fits", nlohmann::json::array()}};
+    nlohmann::json all{
+        {"table", "reads of prefiltered environments along the lobe"},
+        {"written_by", std::string("candela ") + version()},
+        {"lobe",
+         "D V F cos of GGX with height-correlated Smith and Schlick's Fresnel, f0 1 and 0.04, over its "
+         "albedo"},
+        {"read", "the lobe of n = v = r, weighted by n.l (Frostbite equation 53)"},
+        {"views", "perceptual roughness 0.1 to 1 in tenths, 16 angles from 2.8 to 87.2 degrees"},
+        {"error", "see bake/lobe_fit.hpp"},
+        {"terms", {"1", "z", "c", "r", "z z", "c z", "r z", "r c", "s", "s z", "s c", "s r"}},
+        {"fits", nlohmann::json::array()}};
     for (int reads = 1; reads <= 3; ++reads) {
         all["fits"].push_back(fit_of(reads));
         if (!json) print(all["fits"].back());

@@ -26,7 +26,8 @@ std::vector<LobeRead> three(const glm::vec3& n, const glm::vec3& v, float percep
     return out;
 }
 
-// The kernel itself, seen from above where it is nearly the lobe: what the measure calls an error must be small.
+// The kernel itself, seen from above where it is nearly the lobe: what the measure calls an error must be
+// small.
 TEST(LobeFit, FindsTheKernelInTheLobeSeenFromAbove) {
     EXPECT_LT(lobe_error(mirror, 1.0f, 0.2f, 1.0f), 0.01);
     EXPECT_GT(lobe_error(mirror, 0.1f, 0.2f, 1.0f), 0.2);

@@ -114,7 +114,8 @@ TEST(StretchedReflection, HasTheMeanDirectionOfTheLobe) {
                 const std::vector<LobeRead> mirror{{reflect(-v, kNormal), roughness, 1.0f}};
                 worst_mirror = std::max(worst_mirror, glm::distance(first_moment(mirror), truth));
                 for (const int count : {1, 2, 3}) {
-                    const double off = glm::distance(first_moment(reads_of(count, v, roughness, share)), truth);
+                    const double off =
+                        glm::distance(first_moment(reads_of(count, v, roughness, share)), truth);
                     EXPECT_LT(off, 0.17) << count << ' ' << f0 << ' ' << roughness << ' ' << NoV;
                     if (count > 1) worst = std::max(worst, off);
                 }
@@ -130,7 +131,8 @@ TEST(FresnelShare, IsWhatTheRiseReflects) {
 
 TEST(AnisotropicReads, LieAlongTheTangentSeenFromAbove) {
     const vec2 alpha(0.5f, 0.05f);
-    const AnisotropicLobe lobe = anisotropic_lobe(kNormal, vec3(1, 0, 0), vec3(0, 1, 0), kNormal, 1.0f, alpha);
+    const AnisotropicLobe lobe =
+        anisotropic_lobe(kNormal, vec3(1, 0, 0), vec3(0, 1, 0), kNormal, 1.0f, alpha);
     float x = -2.0f;
     for (int i = 0; i < kAnisotropicReads; ++i) {
         const LobeRead read = anisotropic_read(lobe, i);
@@ -183,8 +185,8 @@ TEST(SheenRead, LeansToTheViewerAndNowhereFromAbove) {
 TEST(EnvBrdfApprox, OfANonmetalFoldsThePaperConstants) {
     for (const float roughness : {0.0f, 0.3f, 0.7f, 1.0f})
         for (const float NoV : {0.0f, 0.2f, 0.6f, 1.0f})
-            EXPECT_NEAR(env_brdf_approx_nonmetal(roughness, NoV), EnvBRDFApprox(vec3(0.04f), roughness, NoV).x,
-                        0.0025f);
+            EXPECT_NEAR(env_brdf_approx_nonmetal(roughness, NoV),
+                        EnvBRDFApprox(vec3(0.04f), roughness, NoV).x, 0.0025f);
     EXPECT_EQ(fully_rough_color(vec3(0.2f), vec3(1.0f)), vec3(0.65f));
 }
 

@@ -16,12 +16,11 @@ constexpr int kTerms = 12;
 constexpr int kRounds = 60;
 
 std::array<double, kTerms> terms_of(const LobeView& view) {
-    const shading::LobeBasis b =
-        shading::lobe_basis(view.v.z, view.perceptual_roughness,
-                            shading::alpha_from_perceptual_roughness(view.perceptual_roughness),
-                            view.fresnel_share);
-    return {double(b.low.x),  double(b.low.y),  double(b.low.z),  double(b.low.w),
-            double(b.high.x), double(b.high.y), double(b.high.z), double(b.high.w),
+    const shading::LobeBasis b = shading::lobe_basis(
+        view.v.z, view.perceptual_roughness,
+        shading::alpha_from_perceptual_roughness(view.perceptual_roughness), view.fresnel_share);
+    return {double(b.low.x),     double(b.low.y),     double(b.low.z),     double(b.low.w),
+            double(b.high.x),    double(b.high.y),    double(b.high.z),    double(b.high.w),
             double(b.fresnel.x), double(b.fresnel.y), double(b.fresnel.z), double(b.fresnel.w)};
 }
 
@@ -46,14 +45,15 @@ std::vector<shading::LobeRead> reads_of(const LobeView& view, const Values& valu
     std::vector<shading::LobeRead> out;
     for (std::size_t i = 0; i < count; ++i) {
         const double weight = (i + 1 < count ? std::exp(values[2 * count + i]) : 1.0) / sum;
-        out.push_back(shading::lobe_read(glm::vec3(0.0f, 0.0f, 1.0f), view.v, view.v.z, view.perceptual_roughness,
-                                         alpha, float(values[2 * i]), float(values[2 * i + 1]), float(weight)));
+        out.push_back(shading::lobe_read(glm::vec3(0.0f, 0.0f, 1.0f), view.v, view.v.z,
+                                         view.perceptual_roughness, alpha, float(values[2 * i]),
+                                         float(values[2 * i + 1]), float(weight)));
     }
     return out;
 }
 
-/// Pulls widths back from where lobe_read clamps them and weights from 0, so that the method does not lose its slope there.
-/// Value and slope of half the square.
+/// Pulls widths back from where lobe_read clamps them and weights from 0, so that the method does not lose
+/// its slope there. Value and slope of half the square.
 struct Restraint {
     double weight = 0.0;
     double excess = 0.0;
@@ -126,9 +126,8 @@ Normal normal_of(const LobeView& view, const LobeCoefficients& coefficients, boo
 Normal sum_over_views(const LobeCoefficients& coefficients, bool with_matrix) {
     const std::vector<LobeView>& views = lobe_views();
     std::vector<Normal> parts(views.size());
-    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
-        parts[i] = normal_of(views[i], coefficients, with_matrix);
-    });
+    tbb::parallel_for(std::size_t{0}, views.size(),
+                      [&](std::size_t i) { parts[i] = normal_of(views[i], coefficients, with_matrix); });
     Normal out = std::move(parts.front());
     for (std::size_t i = 1; i < parts.size(); ++i) {
         out.error += parts[i].error;
@@ -214,15 +213,15 @@ LobeFit fit_lobe_reads(int reads) {
 LobeErrors lobe_errors(const LobeReads& reads) {
     ErrorOfViews errors;
     for (const LobeView& view : lobe_views())
-        errors.add(lobe_distance(view, reads(glm::vec3(0.0f, 0.0f, 1.0f), view.v, view.perceptual_roughness,
-                                        view.fresnel_share)));
+        errors.add(lobe_distance(
+            view, reads(glm::vec3(0.0f, 0.0f, 1.0f), view.v, view.perceptual_roughness, view.fresnel_share)));
     return errors.result();
 }
 
 double lobe_error(const LobeReads& reads, float NoV, float perceptual_roughness, float f0) {
     const LobeView view = lobe_view(NoV, perceptual_roughness, f0);
-    return lobe_distance(view, reads(glm::vec3(0.0f, 0.0f, 1.0f), view.v, perceptual_roughness,
-                                      view.fresnel_share));
+    return lobe_distance(
+        view, reads(glm::vec3(0.0f, 0.0f, 1.0f), view.v, perceptual_roughness, view.fresnel_share));
 }
 
 }  // namespace candela::bake

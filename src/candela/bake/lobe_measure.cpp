@@ -46,8 +46,8 @@ class KernelTable {
     static constexpr int kAzimuths = 24;
 
     void fill(std::size_t r) {
-        const double alpha = double(
-            shading::alpha_from_perceptual_roughness(float(r) / float(kRoughnesses - 1)));
+        const double alpha =
+            double(shading::alpha_from_perceptual_roughness(float(r) / float(kRoughnesses - 1)));
         // Rings of the kernel: half-vectors by the NDF, spaced towards the tail, weighted by n.l.
         std::vector<std::array<double, 2>> rings;
         double norm = 0.0;

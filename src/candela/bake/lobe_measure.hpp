@@ -30,8 +30,10 @@ struct LobeView {
 /// Those of lobe_errors() and of the fit.
 [[nodiscard]] const std::vector<LobeView>& lobe_views();
 
-/// By bump: what the reads see more than the lobe, weighted, over the norm. The root of the sum of squares is the error.
-[[nodiscard]] std::vector<double> lobe_differences(const LobeView& view, const std::vector<shading::LobeRead>& reads);
+/// By bump: what the reads see more than the lobe, weighted, over the norm. The root of the sum of squares is
+/// the error.
+[[nodiscard]] std::vector<double> lobe_differences(const LobeView& view,
+                                                   const std::vector<shading::LobeRead>& reads);
 [[nodiscard]] double lobe_distance(const LobeView& view, const std::vector<shading::LobeRead>& reads);
 
 class ErrorOfViews {

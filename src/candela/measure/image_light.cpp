@@ -108,7 +108,8 @@ vec3 lamps_at_night(const vec3& d) {
     return light;
 }
 
-/// Discs of all sizes over one another: a power that falls with the square of the frequency, as in photographs.
+/// Discs of all sizes over one another: a power that falls with the square of the frequency, as in
+/// photographs.
 vec3 leaves(const vec3& d) {
     vec3 light = mix(vec3(0.5f, 0.7f, 1.1f), vec3(2.5f, 2.6f, 2.8f), saturate(d.y));
     for (uint i = 0; i < 400; ++i) {
@@ -153,7 +154,8 @@ glm::vec3 ImageLight::around(const glm::vec3& direction, float solid_angle_sr) c
         std::clamp(0.5f * std::log2(solid_angle_sr / texel_sr), 0.0f, float(levels_.size() - 1));
     const auto finer = std::min(std::size_t(level), levels_.size() - 2);
     const vec3 uv_face = cube_uv_face(direction);
-    return mix(bilinear(levels_[finer], uv_face), bilinear(levels_[finer + 1], uv_face), level - float(finer));
+    return mix(bilinear(levels_[finer], uv_face), bilinear(levels_[finer + 1], uv_face),
+               level - float(finer));
 }
 
 glm::vec3 ImageLight::prefiltered(const glm::vec3& direction, float perceptual_roughness, int samples) const {
@@ -191,9 +193,9 @@ glm::vec3 ImageLight::irradiance_over_pi(const glm::vec3& n) const {
 }
 
 const std::vector<ImageLight>& image_lights() {
-    static const std::vector<ImageLight> lights{{"studio", studio},         {"clear sky with sun", clear_sky},
-                                                {"overcast", overcast},     {"two-tone", two_tone},
-                                                {"lamps at night", lamps_at_night}, {"leaves", leaves}};
+    static const std::vector<ImageLight> lights{
+        {"studio", studio},     {"clear sky with sun", clear_sky},  {"overcast", overcast},
+        {"two-tone", two_tone}, {"lamps at night", lamps_at_night}, {"leaves", leaves}};
     return lights;
 }
 
@@ -228,8 +230,8 @@ glm::vec3 integrate_light(const ImageLight& light, const ReceiverFrame& frame, i
     return sum / float(samples);
 }
 
-glm::vec3 integrate_light_ggx(const ImageLight& light, const ReceiverFrame& frame, const glm::vec2& alpha, int samples,
-                              const std::function<glm::vec3(const glm::vec3&)>& integrand) {
+glm::vec3 integrate_light_ggx(const ImageLight& light, const ReceiverFrame& frame, const glm::vec2& alpha,
+                              int samples, const std::function<glm::vec3(const glm::vec3&)>& integrand) {
     const vec3 v = to_local(frame.v, frame.t, frame.b, frame.n);
     return integrate_light(
         light, frame, samples,

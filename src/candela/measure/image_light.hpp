@@ -8,8 +8,9 @@
 #include "candela/scene/cube_map.hpp"
 #include "shading/stretched_reflection.glsl"
 
-/// Distant light from pictures of all directions, with the integrals over it, for experiments. Sums are deterministic and take
-/// each of their points from the level of the picture whose texels are as large as the point's share.
+/// Distant light from pictures of all directions, with the integrals over it, for experiments. Sums are
+/// deterministic and take each of their points from the level of the picture whose texels are as large as the
+/// point's share.
 namespace candela::measure {
 
 class ImageLight {
@@ -30,7 +31,8 @@ class ImageLight {
     std::vector<scene::CubeMap> levels_;  ///< finest first
 };
 
-/// Studio, clear sky with sun, overcast sky, two-tone, lamps at night, leaves: from soft to a peak of a million times the mean.
+/// Studio, clear sky with sun, overcast sky, two-tone, lamps at night, leaves: from soft to a peak of a
+/// million times the mean.
 [[nodiscard]] const std::vector<ImageLight>& image_lights();
 
 /// A surface under it, in the world; bases are right-handed and unit.
@@ -43,8 +45,8 @@ struct ReceiverFrame {
 /// Seen at cosine NoV, turned by number: `count` of them spread over the sphere of normals and the azimuth.
 [[nodiscard]] ReceiverFrame receiver_frame(float NoV, int number, int count);
 
-/// Integral of L(l) f(l) over directions drawn in the frame of (t, b, n): draw(u) gives l, z up, and its density; `integrand`
-/// is f(v, l) n.l for local l.
+/// Integral of L(l) f(l) over directions drawn in the frame of (t, b, n): draw(u) gives l, z up, and its
+/// density; `integrand` is f(v, l) n.l for local l.
 struct DrawnDirection {
     glm::vec3 l;
     float pdf = 0.0f;
@@ -54,7 +56,8 @@ struct DrawnDirection {
                                         const std::function<glm::vec3(const glm::vec3&)>& integrand);
 
 /// The same with the lobe of GGX as the draw: visible normals of alpha along t and b.
-[[nodiscard]] glm::vec3 integrate_light_ggx(const ImageLight& light, const ReceiverFrame& frame, const glm::vec2& alpha,
-                                            int samples, const std::function<glm::vec3(const glm::vec3&)>& integrand);
+[[nodiscard]] glm::vec3 integrate_light_ggx(const ImageLight& light, const ReceiverFrame& frame,
+                                            const glm::vec2& alpha, int samples,
+                                            const std::function<glm::vec3(const glm::vec3&)>& integrand);
 
 }  // namespace candela::measure

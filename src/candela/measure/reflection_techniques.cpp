@@ -29,20 +29,23 @@ vec3 mirror_of(const ReceiverFrame& frame) {
 /// One read of the surface's own roughness in this direction.
 template <class Direction>
 auto one_read(Direction direction) {
-    return [direction](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
-        const float alpha = alpha_from_perceptual_roughness(s.perceptual_roughness);
-        return light.prefiltered(direction(frame.n, mirror_of(frame), NoV, alpha), s.perceptual_roughness,
-                                 s.prefilter_samples) *
-               reflectance(s, NoV);
-    };
+    return
+        [direction](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
+            const float alpha = alpha_from_perceptual_roughness(s.perceptual_roughness);
+            return light.prefiltered(direction(frame.n, mirror_of(frame), NoV, alpha), s.perceptual_roughness,
+                                     s.prefilter_samples) *
+                   reflectance(s, NoV);
+        };
 }
 
 auto fitted_reads(int count) {
     return [count](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
         vec3 sum(0.0f);
         const float share = fresnel_share(s.f0, 1.0f, dfg_table().read(NoV, s.perceptual_roughness));
-        for (const LobeRead& read : lobe_reads_of(count, frame.n, frame.v, NoV, s.perceptual_roughness, share))
-            sum += read.weight * light.prefiltered(read.direction, read.perceptual_roughness, s.prefilter_samples);
+        for (const LobeRead& read :
+             lobe_reads_of(count, frame.n, frame.v, NoV, s.perceptual_roughness, share))
+            sum += read.weight *
+                   light.prefiltered(read.direction, read.perceptual_roughness, s.prefilter_samples);
         return sum * reflectance(s, NoV);
     };
 }
@@ -50,7 +53,8 @@ auto fitted_reads(int count) {
 /// n = z and v at a cosine of the numbers, for costs.
 template <class F>
 double cost_of(F f) {
-    return cost_ns([f](const vec4& u) { return f(vec3(0.0f, 0.0f, 1.0f), vec3(0.6f * u.w, 0.0f, u.x), u.x, u.y); });
+    return cost_ns(
+        [f](const vec4& u) { return f(vec3(0.0f, 0.0f, 1.0f), vec3(0.6f * u.w, 0.0f, u.x), u.x, u.y); });
 }
 
 }  // namespace
@@ -60,7 +64,8 @@ std::vector<shading::LobeRead> lobe_reads_of(int count, const glm::vec3& n, cons
     std::vector<LobeRead> out(static_cast<std::size_t>(count));
     if (count == 1) out[0] = fitted_reflection(n, v, NoV, perceptual_roughness, fresnel_share);
     if (count == 2) stretched_reflection_2(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1]);
-    if (count == 3) stretched_reflection_3(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1], out[2]);
+    if (count == 3)
+        stretched_reflection_3(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1], out[2]);
     return out;
 }
 
@@ -123,22 +128,20 @@ std::vector<ReflectionTechnique> direction_techniques() {
 std::vector<ReflectionTechnique> reflectance_techniques() {
     const char* const mobile = "Karis 2014, Environment BRDF";
     std::vector<ReflectionTechnique> out;
-    out.push_back({"EnvBRDFApprox", "mirror direction, EnvBRDFApprox", mobile,
-                   [](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
-                       return light.prefiltered(mirror_of(frame), s.perceptual_roughness) *
-                              EnvBRDFApprox(vec3(s.f0), s.perceptual_roughness, NoV);
-                   },
-                   [] {
-                       return cost_ns([](const vec4& u) { return EnvBRDFApprox(vec3(u.z), u.y, u.x).x; });
-                   }});
-    out.push_back({"EnvBRDFApprox of a non-metal", "mirror direction, env_brdf_approx_nonmetal", mobile,
-                   [](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
-                       return light.prefiltered(mirror_of(frame), s.perceptual_roughness) *
-                              env_brdf_approx_nonmetal(s.perceptual_roughness, NoV);
-                   },
-                   [] {
-                       return cost_ns([](const vec4& u) { return env_brdf_approx_nonmetal(u.y, u.x); });
-                   }});
+    out.push_back(
+        {"EnvBRDFApprox", "mirror direction, EnvBRDFApprox", mobile,
+         [](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
+             return light.prefiltered(mirror_of(frame), s.perceptual_roughness) *
+                    EnvBRDFApprox(vec3(s.f0), s.perceptual_roughness, NoV);
+         },
+         [] { return cost_ns([](const vec4& u) { return EnvBRDFApprox(vec3(u.z), u.y, u.x).x; }); }});
+    out.push_back(
+        {"EnvBRDFApprox of a non-metal", "mirror direction, env_brdf_approx_nonmetal", mobile,
+         [](const ImageLight& light, const ReceiverFrame& frame, float NoV, const GlossySurface& s) {
+             return light.prefiltered(mirror_of(frame), s.perceptual_roughness) *
+                    env_brdf_approx_nonmetal(s.perceptual_roughness, NoV);
+         },
+         [] { return cost_ns([](const vec4& u) { return env_brdf_approx_nonmetal(u.y, u.x); }); }});
     out.push_back({"fully rough", "fully_rough_color", mobile,
                    [](const ImageLight& light, const ReceiverFrame& frame, float, const GlossySurface& s) {
                        return light.irradiance_over_pi(frame.n) * fully_rough_color(vec3(0.0f), vec3(s.f0));

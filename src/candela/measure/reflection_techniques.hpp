@@ -7,7 +7,8 @@
 #include "candela/measure/dfg_lookup.hpp"
 #include "candela/measure/image_light.hpp"
 
-/// What the profile slots `reflection` and `dfg` choose from, on perfectly prefiltered light, and their truth.
+/// What the profile slots `reflection` and `dfg` choose from, on perfectly prefiltered light, and their
+/// truth.
 namespace candela::measure {
 
 /// A grey surface of this f0, f90 = 1, single scattering.
@@ -22,7 +23,8 @@ struct ReflectionTechnique {
     std::string function;  ///< in shading/
     std::string source;
     /// Light reflected towards the viewer.
-    std::function<glm::vec3(const ImageLight&, const ReceiverFrame&, float NoV, const GlossySurface&)> reflected;
+    std::function<glm::vec3(const ImageLight&, const ReceiverFrame&, float NoV, const GlossySurface&)>
+        reflected;
     std::function<double()> cost_ns;
 };
 
@@ -36,7 +38,8 @@ struct ReflectionTechnique {
                                         const GlossySurface& surface, int samples);
 
 /// Reads of each technique of the slot `reflection`, for plots of where they are.
-[[nodiscard]] std::vector<shading::LobeRead> lobe_reads_of(int count, const glm::vec3& n, const glm::vec3& v, float NoV,
-                                                           float perceptual_roughness, float fresnel_share);
+[[nodiscard]] std::vector<shading::LobeRead> lobe_reads_of(int count, const glm::vec3& n, const glm::vec3& v,
+                                                           float NoV, float perceptual_roughness,
+                                                           float fresnel_share);
 
 }  // namespace candela::measure

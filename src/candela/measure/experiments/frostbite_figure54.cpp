@@ -21,7 +21,8 @@ vec3 view_at(double deg) {
 double lobe(const vec3& v, const vec3& l) {
     if (l.z <= 0.0f) return 0.0;
     const float alpha = alpha_from_perceptual_roughness(kRoughness);
-    return double(D_GGX(vec3(0, 0, 1), normalize(v + l), alpha) * V_SmithGGXCorrelated(v.z, l.z, alpha) * l.z);
+    return double(D_GGX(vec3(0, 0, 1), normalize(v + l), alpha) * V_SmithGGXCorrelated(v.z, l.z, alpha) *
+                  l.z);
 }
 
 /// What a read is worth in a direction: the kernel of a prefiltered map.
@@ -32,7 +33,8 @@ double kernel(const LobeRead& read, const vec3& l) {
     const auto shape = [alpha](double c) {
         return double(D_GGX_cos2_sin2(float(0.5 * (1.0 + c)), float(0.5 * (1.0 - c)), alpha)) * c;
     };
-    const double norm = 2.0 * kPi * integrate([&](double t) { return shape(1.0 - t * t * t) * 3.0 * t * t; }, 0.0, 1.0, 16);
+    const double norm =
+        2.0 * kPi * integrate([&](double t) { return shape(1.0 - t * t * t) * 3.0 * t * t; }, 0.0, 1.0, 16);
     return double(read.weight) * shape(cosine) / norm;
 }
 
@@ -45,7 +47,7 @@ vec3 beside(double peak_rad, double along_rad, double across_rad) {
 
 struct Shape {
     double peak_rad = 0.0;
-    double along_deg = 0.0;   ///< full widths at half height
+    double along_deg = 0.0;  ///< full widths at half height
     double across_deg = 0.0;
 };
 
@@ -91,13 +93,15 @@ std::vector<float> disc_of(Value value) {
 }
 
 Panel picture() {
-    Panel out{"Lobe (top) and what the reads make of it: mirror direction, fitted direction, two and three reads",
-              "View at 0, 40 and 80 degrees from left to right; the hemisphere of light directions from above, the viewer "
-              "on the left, each over its peak; perceptual roughness 0.4.",
-              std::uint32_t(kDiameter * kViews_deg.size()),
-              std::uint32_t(kDiameter * 5),
-              {},
-              1};
+    Panel out{
+        "Lobe (top) and what the reads make of it: mirror direction, fitted direction, two and three reads",
+        "View at 0, 40 and 80 degrees from left to right; the hemisphere of light directions from above, the "
+        "viewer "
+        "on the left, each over its peak; perceptual roughness 0.4.",
+        std::uint32_t(kDiameter * kViews_deg.size()),
+        std::uint32_t(kDiameter * 5),
+        {},
+        1};
     out.rgb.assign(std::size_t{3} * out.width * out.height, 255);
     for (std::size_t column = 0; column < kViews_deg.size(); ++column) {
         const vec3 v = view_at(kViews_deg[column]);
@@ -116,9 +120,8 @@ Panel picture() {
                     const float value = disc[std::size_t(y) * kDiameter + std::size_t(x)];
                     if (value < 0.0f) continue;
                     const vec3 encoded = srgb_from_linear(vec3(value));
-                    const std::size_t at =
-                        3 * ((std::size_t(row) * kDiameter + std::size_t(y)) * out.width +
-                             column * kDiameter + std::size_t(x));
+                    const std::size_t at = 3 * ((std::size_t(row) * kDiameter + std::size_t(y)) * out.width +
+                                                column * kDiameter + std::size_t(x));
                     for (std::size_t c = 0; c < 3; ++c)
                         out.rgb[at + c] = std::uint8_t(std::lround(255.0f * encoded.x));
                 }
@@ -129,22 +132,24 @@ Panel picture() {
 
 Findings run() {
     Findings out;
-    Table table{"Lobe D V n.l, perceptual roughness 0.4",
-                {"view, degrees", "peak, degrees", "width in the plane of incidence", "width across", "ratio"},
-                {}};
+    Table table{
+        "Lobe D V n.l, perceptual roughness 0.4",
+        {"view, degrees", "peak, degrees", "width in the plane of incidence", "width across", "ratio"},
+        {}};
     std::array<double, 3> ratios{};
     for (std::size_t i = 0; i < kViews_deg.size(); ++i) {
         const Shape s = shape_of(kViews_deg[i]);
         ratios[i] = s.along_deg / s.across_deg;
-        table.rows.push_back({number(kViews_deg[i]), fixed(s.peak_rad * 180.0 / kPi, 1), fixed(s.along_deg, 1),
-                              fixed(s.across_deg, 1), fixed(ratios[i], 2)});
+        table.rows.push_back({number(kViews_deg[i]), fixed(s.peak_rad * 180.0 / kPi, 1),
+                              fixed(s.along_deg, 1), fixed(s.across_deg, 1), fixed(ratios[i], 2)});
     }
     out.tables = {table};
     out.pictures = {picture()};
     out.text = "Seen from above the lobe is round. At 40 degrees it is " + number(ratios[1], 3) +
                " times as wide in the plane of incidence as across it, about 1 / cos 40; at 80 degrees " +
                number(ratios[2], 3) +
-               " times, less than 1 / cos 80, because the horizon cuts it off. A prefiltered map has one round lobe a read.";
+               " times, less than 1 / cos 80, because the horizon cuts it off. A prefiltered map has one "
+               "round lobe a read.";
     out.measured = {within("width in the plane over width across, view at 0 degrees", ratios[0], 0.99, 1.01),
                     within("width in the plane over width across, view at 40 degrees", ratios[1], 1.2, 1.45),
                     at_least("width in the plane over width across, view at 80 degrees", ratios[2], 2.5)};
@@ -155,7 +160,8 @@ Findings run() {
 
 Experiment frostbite_figure54() {
     return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 54", "The lobe's shape over the view's angle",
-            "D V n.l of GGX for views at 0, 40 and 80 degrees, its widths along and across, and the sums of round lobes "
+            "D V n.l of GGX for views at 0, 40 and 80 degrees, its widths along and across, and the sums of "
+            "round lobes "
             "that stand for it.",
             run};
 }

@@ -63,33 +63,38 @@ Panel floor_of(const Reflected& reflected) {
 
 Findings run() {
     const GlossySurface surface{1.0f, kRoughness, kPrefilterSamples};
-    const Panel truth =
-        floor_of([&](const ReceiverFrame& f, float) { return reflected_truth(street(), f, surface, kSamples); });
+    const Panel truth = floor_of(
+        [&](const ReceiverFrame& f, float) { return reflected_truth(street(), f, surface, kSamples); });
     Findings out;
     Table table{"Difference from the truth as seen", {"technique", "mean FLIP"}, {}};
     std::vector<Panel> pictures;
     std::vector<double> flips;
     const std::vector<ReflectionTechnique> techniques = direction_techniques();
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{5}}) {
+    for (const std::size_t i :
+         {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{5}}) {
         const ReflectionTechnique& t = techniques[i];
-        pictures.push_back(
-            floor_of([&](const ReceiverFrame& f, float NoV) { return t.reflected(street(), f, NoV, surface); }));
+        pictures.push_back(floor_of(
+            [&](const ReceiverFrame& f, float NoV) { return t.reflected(street(), f, NoV, surface); }));
         flips.push_back(mean_flip_of_srgb(pictures.back().rgb, truth.rgb, truth.width, truth.height));
         table.rows.push_back({t.name, number(flips.back(), 3)});
     }
     pictures.push_back(truth);
     out.pictures = {beside({pictures[0], pictures[1], pictures[2]}, "A glossy floor under a street at dusk",
                            "Mirror direction; listing 22; one fitted read."),
-                    beside({pictures[3], pictures[4], pictures[5]}, "The same, stretched", "Two reads; three reads; truth.")};
+                    beside({pictures[3], pictures[4], pictures[5]}, "The same, stretched",
+                           "Two reads; three reads; truth.")};
     out.tables = {table};
-    out.text = "A floor of roughness 0.35, seen at 4 to 25 degrees above it. With the mirror direction lamps are round on "
-               "it; they are streaks in truth, which reads in a row come close to, still lumpy. Mean FLIP " +
-               number(flips[0], 2) + " with the mirror direction, " + number(flips[1], 2) + " with listing 22, " +
-               number(flips[2], 2) + " with one fitted read, " + number(flips[3], 2) + " and " + number(flips[4], 2) +
-               " with two and three.";
-    out.measured = {at_least("mirror direction: mean FLIP", flips[0], 0.1),
-                    at_most("two reads: mean FLIP over that of the mirror direction", flips[3] / flips[0], 0.8),
-                    at_most("three reads: mean FLIP over that of the mirror direction", flips[4] / flips[0], 0.55)};
+    out.text =
+        "A floor of roughness 0.35, seen at 4 to 25 degrees above it. With the mirror direction lamps are "
+        "round on "
+        "it; they are streaks in truth, which reads in a row come close to, still lumpy. Mean FLIP " +
+        number(flips[0], 2) + " with the mirror direction, " + number(flips[1], 2) + " with listing 22, " +
+        number(flips[2], 2) + " with one fitted read, " + number(flips[3], 2) + " and " +
+        number(flips[4], 2) + " with two and three.";
+    out.measured = {
+        at_least("mirror direction: mean FLIP", flips[0], 0.1),
+        at_most("two reads: mean FLIP over that of the mirror direction", flips[3] / flips[0], 0.8),
+        at_most("three reads: mean FLIP over that of the mirror direction", flips[4] / flips[0], 0.55)};
     return out;
 }
 
@@ -97,7 +102,8 @@ Findings run() {
 
 Experiment frostbite_figure55() {
     return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 55", "Stretched reflections at grazing angles",
-            "A glossy metal floor under distant lamps: techniques on perfectly prefiltered light beside the integral of the "
+            "A glossy metal floor under distant lamps: techniques on perfectly prefiltered light beside the "
+            "integral of the "
             "whole BRDF.",
             run};
 }

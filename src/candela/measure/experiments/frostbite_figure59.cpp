@@ -32,7 +32,8 @@ ReceiverFrame frame_of(const vec3& n) {
 Panel spheres_of(const std::function<vec3(const ReceiverFrame&, float NoV, float roughness)>& reflected) {
     return sphere_grid(1, int(kRoughness.size()), kDiameter, [&](int, int column, const vec3& n) {
         const ReceiverFrame frame = frame_of(n);
-        return tone_curve(kToneAces, 0.8f * reflected(frame, std::max(n.z, 1.0e-3f), kRoughness[std::size_t(column)]));
+        return tone_curve(kToneAces,
+                          0.8f * reflected(frame, std::max(n.z, 1.0e-3f), kRoughness[std::size_t(column)]));
     });
 }
 
@@ -59,11 +60,14 @@ vec3 diffuse_truth(const ImageLight& light, const ReceiverFrame& frame, float pe
             return DrawnDirection{l, pdf_cosine_hemisphere(l.z)};
         },
         [&](const vec3& l) {
-            return vec3(Fd_DisneyRenormalized(v.z, l.z, saturate(dot(l, normalize(v + l))), perceptual_roughness) * l.z);
+            return vec3(
+                Fd_DisneyRenormalized(v.z, l.z, saturate(dot(l, normalize(v + l))), perceptual_roughness) *
+                l.z);
         });
 }
 
-/// Mean error in % of the light, at the normal and in the direction of listing 23, over lights, angles and roughnesses.
+/// Mean error in % of the light, at the normal and in the direction of listing 23, over lights, angles and
+/// roughnesses.
 struct DiffuseErrors {
     double normal = 0.0;
     double dominant = 0.0;
@@ -88,7 +92,8 @@ DiffuseErrors diffuse_errors() {
                     difference[1] +=
                         std::abs(seen(diffuse_dominant_direction(frame.n, frame.v, NoV, roughness)) - truth);
                     difference[2] += std::abs(
-                        seen(diffuse_dominant_direction(frame.n, frame.v, NoV, roughness * roughness)) - truth);
+                        seen(diffuse_dominant_direction(frame.n, frame.v, NoV, roughness * roughness)) -
+                        truth);
                 }
         const double share = 100.0 / (sum * double(image_lights().size()));
         out.normal += share * difference[0];
@@ -117,31 +122,38 @@ Findings run() {
         caption += t.name + "; ";
     }
     rows.push_back(truth);
-    out.pictures = {stacked(rows, "Metal spheres in a studio", caption + "truth. Roughness 0.2 to 1 from left to right.")};
+    out.pictures = {stacked(rows, "Metal spheres in a studio",
+                            caption + "truth. Roughness 0.2 to 1 from left to right.")};
     out.tables = {table};
 
     const DiffuseErrors diffuse = diffuse_errors();
-    out.text = "Spheres of metal, roughness 0.2 to 1: mean FLIP " + number(flips[0], 2) + " with the mirror direction, " +
-               number(flips[1], 2) + " with listing 22, " + number(flips[2], 2) + " with listing 21, " +
-               number(flips[3], 2) + ", " + number(flips[4], 2) + " and " + number(flips[5], 2) +
-               " with one, two and three fitted reads: the three fits of this house beside the paper's. Disney's diffuse term "
+    out.text = "Spheres of metal, roughness 0.2 to 1: mean FLIP " + number(flips[0], 2) +
+               " with the mirror direction, " + number(flips[1], 2) + " with listing 22, " +
+               number(flips[2], 2) + " with listing 21, " + number(flips[3], 2) + ", " + number(flips[4], 2) +
+               " and " + number(flips[5], 2) +
+               " with one, two and three fitted reads: the three fits of this house beside the paper's. "
+               "Disney's diffuse term "
                "over six lights is off by " +
                number(diffuse.normal, 2) + " % when irradiance is read at the normal, and by " +
                number(diffuse.dominant, 2) +
-               " % in the direction of listing 23 with the perceptual roughness (" + number(diffuse.dominant_alpha, 2) +
-               " % with alpha, should its `roughness` be that): it does not help, which agrees with the paper's not adopting it.";
-    out.measured = {at_most("listing 22 over the mirror direction, mean FLIP", flips[1] / flips[0], 0.75),
-                    at_most("one fitted read over the mirror direction, mean FLIP", flips[3] / flips[0], 0.62),
-                    at_most("two reads over the mirror direction, mean FLIP", flips[4] / flips[0], 0.43),
-                    at_most("three reads over the mirror direction, mean FLIP", flips[5] / flips[0], 0.39),
-                    at_most("Disney's diffuse, irradiance at the normal, mean error", diffuse.normal, 6.5, "%"),
-                    within("Disney's diffuse, listing 23 over the normal", diffuse.dominant / diffuse.normal, 0.9, 1.4)};
-    const std::string range = "Fd_DisneyRenormalized integrated over six lights, n.v 0.1 to 0.9, roughness 0.2 to 1";
+               " % in the direction of listing 23 with the perceptual roughness (" +
+               number(diffuse.dominant_alpha, 2) +
+               " % with alpha, should its `roughness` be that): it does not help, which agrees with the "
+               "paper's not adopting it.";
+    out.measured = {
+        at_most("listing 22 over the mirror direction, mean FLIP", flips[1] / flips[0], 0.75),
+        at_most("one fitted read over the mirror direction, mean FLIP", flips[3] / flips[0], 0.62),
+        at_most("two reads over the mirror direction, mean FLIP", flips[4] / flips[0], 0.43),
+        at_most("three reads over the mirror direction, mean FLIP", flips[5] / flips[0], 0.39),
+        at_most("Disney's diffuse, irradiance at the normal, mean error", diffuse.normal, 6.5, "%"),
+        within("Disney's diffuse, listing 23 over the normal", diffuse.dominant / diffuse.normal, 0.9, 1.4)};
+    const std::string range =
+        "Fd_DisneyRenormalized integrated over six lights, n.v 0.1 to 0.9, roughness 0.2 to 1";
     out.techniques = {
-        {"irradiance at the normal, Disney's diffuse", "Frostbite section 4.9.2", "diffuse light of the surroundings", range, "%",
-         diffuse.normal, diffuse.normal, [] { return 0.0; }},
-        {"diffuse_dominant_direction", "Frostbite section 4.9.3, listing 23", "diffuse light of the surroundings", range, "%",
-         diffuse.dominant, diffuse.dominant, [] {
+        {"irradiance at the normal, Disney's diffuse", "Frostbite section 4.9.2",
+         "diffuse light of the surroundings", range, "%", diffuse.normal, diffuse.normal, [] { return 0.0; }},
+        {"diffuse_dominant_direction", "Frostbite section 4.9.3, listing 23",
+         "diffuse light of the surroundings", range, "%", diffuse.dominant, diffuse.dominant, [] {
              return cost_ns([](const vec4& u) {
                  return diffuse_dominant_direction(vec3(0, 0, 1), vec3(u.x, u.y, u.z), u.z, u.w).x;
              });
@@ -152,8 +164,10 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure59() {
-    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 59", "Dominant directions against the reference",
-            "Metal spheres by each technique on perfectly prefiltered light beside the integral; and the same question for "
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 59",
+            "Dominant directions against the reference",
+            "Metal spheres by each technique on perfectly prefiltered light beside the integral; and the "
+            "same question for "
             "Disney's diffuse term.",
             run};
 }

@@ -56,22 +56,23 @@ Grain grain_of(const ReceiverFrame& f) {
 
 /// x: perceptual roughness, y: strength.
 Layer anisotropic_metal() {
-    Layer out{"anisotropic metal",
-              {{0.2f, 0.4f}, {0.2f, 0.8f}, {0.4f, 0.5f}, {0.4f, 0.9f}, {0.6f, 0.7f}},
-              [](const ImageLight& light, const ReceiverFrame& f, const vec2& s) {
-                  const Grain g = grain_of(f);
-                  const ReceiverFrame turned{g.t, g.b, f.n, f.v};
-                  const vec2 alpha = anisotropic_alpha(s.x, s.y);
-                  const vec3 v = to_local(f.v, g.t, g.b, f.n);
-                  const auto lobe = [&](const vec3& l) {
-                      const vec3 h = normalize(v + l);
-                      return vec3(D_GGXAnisotropic(h.z, h.x, h.y, alpha.x, alpha.y) * l.z *
-                                  V_SmithGGXCorrelatedAnisotropic(v.z, v.x, v.y, l.z, l.x, l.y, alpha.x, alpha.y));
-                  };
-                  return integrate_light_ggx(light, turned, alpha, kSamples, lobe) /
-                         integrate_light_ggx(white_light(), turned, alpha, kSamples, lobe);
-              },
-              {}};
+    Layer out{
+        "anisotropic metal",
+        {{0.2f, 0.4f}, {0.2f, 0.8f}, {0.4f, 0.5f}, {0.4f, 0.9f}, {0.6f, 0.7f}},
+        [](const ImageLight& light, const ReceiverFrame& f, const vec2& s) {
+            const Grain g = grain_of(f);
+            const ReceiverFrame turned{g.t, g.b, f.n, f.v};
+            const vec2 alpha = anisotropic_alpha(s.x, s.y);
+            const vec3 v = to_local(f.v, g.t, g.b, f.n);
+            const auto lobe = [&](const vec3& l) {
+                const vec3 h = normalize(v + l);
+                return vec3(D_GGXAnisotropic(h.z, h.x, h.y, alpha.x, alpha.y) * l.z *
+                            V_SmithGGXCorrelatedAnisotropic(v.z, v.x, v.y, l.z, l.x, l.y, alpha.x, alpha.y));
+            };
+            return integrate_light_ggx(light, turned, alpha, kSamples, lobe) /
+                   integrate_light_ggx(white_light(), turned, alpha, kSamples, lobe);
+        },
+        {}};
     out.ways.push_back({"mirror direction as if isotropic", "Karis 2013",
                         [](const ImageLight& light, const ReceiverFrame& f, float, const vec2& s) {
                             return light.prefiltered(mirror_of(f), s.x);
@@ -84,8 +85,8 @@ Layer anisotropic_metal() {
                         },
                         [] {
                             return cost_ns([](const vec4& u) {
-                                return anisotropic_bent_normal(vec3(0, 0, 1), vec3(0, 1, 0), vec3(u.x, u.y, u.z), u.w,
-                                                               0.5f)
+                                return anisotropic_bent_normal(vec3(0, 0, 1), vec3(0, 1, 0),
+                                                               vec3(u.x, u.y, u.z), u.w, 0.5f)
                                     .x;
                             });
                         }});
@@ -133,8 +134,7 @@ Layer sheen() {
                                                 1.0f / (2.0f * u.x * TWO_PI)};
                       },
                       [&](const vec3& l) {
-                          const float value =
-                              evaluate_sheen(v.z, l.z, normalize(v + l).z, s.x) * l.z;
+                          const float value = evaluate_sheen(v.z, l.z, normalize(v + l).z, s.x) * l.z;
                           albedo += value * 2.0f * std::sqrt(l.z) * TWO_PI / float(kSamples);
                           return vec3(value);
                       });
@@ -191,7 +191,8 @@ Layer coat() {
                             return cost_ns([](const vec4& u) {
                                 LobeRead a;
                                 LobeRead b;
-                                stretched_reflection_2(vec3(0, 0, 1), vec3(u.w, 0.0f, u.x), u.x, u.y, 0.0f, a, b);
+                                stretched_reflection_2(vec3(0, 0, 1), vec3(u.w, 0.0f, u.x), u.x, u.y, 0.0f, a,
+                                                       b);
                                 return a.direction.x + a.weight + b.direction.x;
                             });
                         }});
@@ -210,7 +211,8 @@ std::vector<LightErrors> errors_of(const Layer& layer) {
                         kCosines[a], turn * cells + int(s * kCosines.size() + a), kTurns * cells);
                     const vec3 truth = layer.truth(light, frame, layer.settings[s]);
                     for (std::size_t i = 0; i < layer.ways.size(); ++i)
-                        out[i].add(l, s, a, layer.ways[i].seen(light, frame, kCosines[a], layer.settings[s]), truth);
+                        out[i].add(l, s, a, layer.ways[i].seen(light, frame, kCosines[a], layer.settings[s]),
+                                   truth);
                 }
     return out;
 }
@@ -225,15 +227,16 @@ Findings run() {
         for (std::size_t i = 0; i < layer.ways.size(); ++i) {
             const Layer::Way& way = layer.ways[i];
             names.push_back(way.name);
-            out.techniques.push_back({way.name + ", " + layer.name, way.source, "light seen in the lobe of a layer",
-                                      "the lobe integrated over six lights, n.v 0.1 to 0.9; largest: of one light and "
-                                      "roughness",
-                                      "%", errors[i].mean(), errors[i].largest(), way.cost_ns});
+            out.techniques.push_back(
+                {way.name + ", " + layer.name, way.source, "light seen in the lobe of a layer",
+                 "the lobe integrated over six lights, n.v 0.1 to 0.9; largest: of one light and "
+                 "roughness",
+                 "%", errors[i].mean(), errors[i].largest(), way.cost_ns});
         }
-        out.tables.push_back(
-            error_table(layer.name + ": mean error in % of the light seen", names, errors));
-        out.measured.push_back(at_most(layer.name + ": error of " + names.back() + " over that of " + names.front(),
-                                       errors.back().mean() / errors.front().mean(), bounds[bound++]));
+        out.tables.push_back(error_table(layer.name + ": mean error in % of the light seen", names, errors));
+        out.measured.push_back(
+            at_most(layer.name + ": error of " + names.back() + " over that of " + names.front(),
+                    errors.back().mean() / errors.front().mean(), bounds[bound++]));
         out.text += layer.name + ": " + number(errors.front().mean(), 2) + " % with " + names.front() + ", " +
                     number(errors.back().mean(), 2) + " with " + names.back() + ". ";
     }
@@ -245,7 +248,9 @@ Findings run() {
 Experiment image_light_layers() {
     return {"KHR_materials_anisotropy, _sheen, _clearcoat", "their image-based light",
             "Anisotropic metal, sheen and clear coat under the surroundings",
-            "What is read of perfectly prefiltered light for each layer against its lobe over six generated lights.", run};
+            "What is read of perfectly prefiltered light for each layer against its lobe over six generated "
+            "lights.",
+            run};
 }
 
 }  // namespace candela::measure::experiments

@@ -35,14 +35,19 @@ std::vector<LightErrors> measure_all(const std::vector<ReflectionTechnique>& tec
                     const GlossySurface surface{f0, kRoughness[r]};
                     const vec3 truth = reflected_truth(lights[l], frame, surface, kSamples);
                     for (std::size_t i = 0; i < techniques.size(); ++i)
-                        out[i].add(l, r, a, techniques[i].reflected(lights[l], frame, kCosines[a], surface), truth);
+                        out[i].add(l, r, a, techniques[i].reflected(lights[l], frame, kCosines[a], surface),
+                                   truth);
                 }
     return out;
 }
 
 Plot over_roughness(const std::string& title, const std::vector<ReflectionTechnique>& techniques,
                     const std::vector<LightErrors>& errors) {
-    Plot out{title, "Mean over six lights and all angles.", {"perceptual roughness", 0.0, 1.0}, {"% of the light"}, {}};
+    Plot out{title,
+             "Mean over six lights and all angles.",
+             {"perceptual roughness", 0.0, 1.0},
+             {"% of the light"},
+             {}};
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         Series s{techniques[i].name, {}, {}};
         for (std::size_t k = 0; k < kRoughness.size(); ++k) {
@@ -81,7 +86,8 @@ Technique without_compensation(const ReflectionTechnique& technique) {
                     const vec2 ab = table.read(kCosines[a], kRoughness[r]);
                     const vec3 truth =
                         reflected_truth(image_lights()[l], frame, surface, kSamples) / (ab.x + ab.y);
-                    errors.add(l, r, a, technique.reflected(image_lights()[l], frame, kCosines[a], surface), truth);
+                    errors.add(l, r, a, technique.reflected(image_lights()[l], frame, kCosines[a], surface),
+                               truth);
                 }
     return {technique.function + ", energy none, F0 = 1",
             technique.source,
@@ -98,7 +104,8 @@ double over_soft_lights(const LightErrors& errors) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t l = 0; l < image_lights().size(); ++l) {
-        if (image_lights()[l].name() == "clear sky with sun" || image_lights()[l].name() == "lamps at night") continue;
+        if (image_lights()[l].name() == "clear sky with sun" || image_lights()[l].name() == "lamps at night")
+            continue;
         sum += errors.of_light(l);
         ++count;
     }
@@ -129,8 +136,8 @@ Findings run() {
             at_most(directions[i].name + ", mean error, F0 = 1", metal[i].mean(), bounds[i], "%"));
     out.measured.push_back(
         at_most("two reads over the mirror direction, F0 = 1", metal[4].mean() / metal[0].mean(), 0.45));
-    out.measured.push_back(
-        at_most("two reads over the mirror direction, F0 = 0.04", plastic[4].mean() / plastic[0].mean(), 0.5));
+    out.measured.push_back(at_most("two reads over the mirror direction, F0 = 0.04",
+                                   plastic[4].mean() / plastic[0].mean(), 0.5));
     out.measured.push_back(at_most("two reads over the mirror direction without sun and lamps, F0 = 1",
                                    over_soft_lights(metal[4]) / over_soft_lights(metal[0]), 0.2));
     out.measured.push_back(at_most("two reads over the mirror direction without sun and lamps, F0 = 0.04",
@@ -139,22 +146,26 @@ Findings run() {
                number(metal[0].mean(), 2) + " % of white metal's with the mirror direction, " +
                number(metal[1].mean(), 2) + " with listing 22, " + number(metal[3].mean(), 2) +
                " with one read at the fitted place, " + number(metal[4].mean(), 2) + " and " +
-               number(metal[5].mean(), 2) + " with two and three along the lobe. A sun is the hardest: it shows the lobe itself, "
-               "tails and all, which few reads do not have; it belongs among the lights. Without sun and lamps the mirror "
+               number(metal[5].mean(), 2) +
+               " with two and three along the lobe. A sun is the hardest: it shows the lobe itself, "
+               "tails and all, which few reads do not have; it belongs among the lights. Without sun and "
+               "lamps the mirror "
                "direction is off by " +
-               number(over_soft_lights(metal[0]), 2) + " %, one read by " + number(over_soft_lights(metal[3]), 2) +
-               ", two by " + number(over_soft_lights(metal[4]), 2) + ", three by " +
-               number(over_soft_lights(metal[5]), 2) +
-               ". Listing 21 is where the lobe peaks, but a smooth surface does not see its surroundings there: its blend "
+               number(over_soft_lights(metal[0]), 2) + " %, one read by " +
+               number(over_soft_lights(metal[3]), 2) + ", two by " + number(over_soft_lights(metal[4]), 2) +
+               ", three by " + number(over_soft_lights(metal[5]), 2) +
+               ". Listing 21 is where the lobe peaks, but a smooth surface does not see its surroundings "
+               "there: its blend "
                "is not 1 at alpha 0.";
     const auto add_rows = [&out](const std::vector<ReflectionTechnique>& techniques,
                                  const std::vector<LightErrors>& errors, const std::string& material) {
         for (std::size_t i = 0; i < techniques.size(); ++i)
-            out.techniques.push_back({techniques[i].function + ", " + material, techniques[i].source,
-                                      "light reflected from the surroundings",
-                                      "integral of L D V F n.l, six lights, roughness 0.1 to 1, n.v 0.08 to 0.95; "
-                                      "largest: of one light and roughness",
-                                      "%", errors[i].mean(), errors[i].largest(), techniques[i].cost_ns});
+            out.techniques.push_back(
+                {techniques[i].function + ", " + material, techniques[i].source,
+                 "light reflected from the surroundings",
+                 "integral of L D V F n.l, six lights, roughness 0.1 to 1, n.v 0.08 to 0.95; "
+                 "largest: of one light and roughness",
+                 "%", errors[i].mean(), errors[i].largest(), techniques[i].cost_ns});
     };
     add_rows(of_metal, metal, "F0 = 1");
     add_rows(of_plastic, plastic, "F0 = 0.04");
@@ -167,7 +178,8 @@ Findings run() {
 Experiment image_light_reflection() {
     return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 59, in numbers",
             "What the split sum loses, and what gets it back",
-            "Each technique on perfectly prefiltered light against the integral of the whole BRDF over six generated "
+            "Each technique on perfectly prefiltered light against the integral of the whole BRDF over six "
+            "generated "
             "lights.",
             run};
 }
