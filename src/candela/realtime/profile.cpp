@@ -25,23 +25,22 @@ Slot slot(std::string_view name, Technique Profile::*member, std::vector<std::st
 }
 
 std::vector<Slot> slots() {
-    return {
-        slot("diffuse", &Profile::diffuse, {"lambert", "disney", "disney-renormalized"}),
-        slot("visibility", &Profile::visibility, {"smith-correlated", "schlick-smith"}),
-        slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
-        slot("energy", &Profile::energy, {"none", "compensated"}),
-        slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-approx-nonmetal", "fully-rough"}),
-        slot("reflection", &Profile::reflection,
-             {"mirror-direction", "dominant-direction", "dominant-direction-fit", "fitted-direction",
-              "stretched-2", "stretched-3"}),
-        slot("irradiance", &Profile::irradiance, {"normal", "dominant-direction"}),
-        slot("specular-aa", &Profile::specular_aa, {"none", "footprint"}),
-        slot("area-diffuse", &Profile::area_diffuse,
-             {"exact", "structured-sampling", "form-factor", "most-representative-point",
-              "most-representative-point-drobot", "light-position", "five-times"}),
-        slot("area-specular", &Profile::area_specular,
-             {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
-        slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"})};
+    return {slot("diffuse", &Profile::diffuse, {"lambert", "disney", "disney-renormalized"}),
+            slot("visibility", &Profile::visibility, {"smith-correlated", "schlick-smith"}),
+            slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
+            slot("energy", &Profile::energy, {"none", "compensated"}),
+            slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-nonmetal", "fully-rough"}),
+            slot("reflection", &Profile::reflection,
+                 {"mirror-direction", "dominant-direction", "dominant-direction-fit", "fitted-direction",
+                  "stretched-2", "stretched-3"}),
+            slot("irradiance", &Profile::irradiance, {"normal", "dominant-direction"}),
+            slot("specular-aa", &Profile::specular_aa, {"none", "footprint"}),
+            slot("area-diffuse", &Profile::area_diffuse,
+                 {"exact", "structured-sampling", "form-factor", "most-representative-point",
+                  "most-representative-point-drobot", "light-position", "five-times"}),
+            slot("area-specular", &Profile::area_specular,
+                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
+            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"})};
 }
 
 template <class Names>
