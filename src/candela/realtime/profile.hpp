@@ -50,7 +50,7 @@ struct Profile {
     FresnelTechnique fresnel = FresnelTechnique::schlick;
     EnergyTechnique energy = EnergyTechnique::compensated;
     DfgTechnique dfg = DfgTechnique::table;
-    ReflectionTechnique reflection = ReflectionTechnique::dominant_direction;
+    ReflectionTechnique reflection = ReflectionTechnique::stretched_2;
     IrradianceTechnique irradiance = IrradianceTechnique::normal;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
