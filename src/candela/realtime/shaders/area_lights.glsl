@@ -39,7 +39,7 @@ const uint kAreaKinds = (1u << kLightLine) | (1u << kLightTube) | (1u << kLightS
 const float kLineRadius_m = 0.5 * kPunctualMinDistance_m;
 
 // Rougher than this the sun is a direction to the lobe, narrower it is an image.
-const float kSunImageAlpha = 0.01;
+const float kSunImageAlpha = 0.02;
 
 // C++: kLightImages.
 const bool kLightPictures = (kLightKinds & (1u << 16u)) != 0u;
