@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
+#include "candela/io/environment_read.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/tone_curves.glsl"
