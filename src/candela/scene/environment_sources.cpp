@@ -88,7 +88,7 @@ std::vector<glm::vec3> light_behind(const PictureSphere& sphere, const std::vect
 void measure(const PictureSphere& sphere, const std::vector<glm::vec3>& behind, EnvironmentSource& source) {
     const Environment& e = sphere.environment();
     glm::dvec3 middle(0.0), sum(0.0);
-    double of_squares = 0.0, of_luminance = 0.0;
+    double peak = 0.0, of_luminance = 0.0;
     for (std::size_t i = 0; i < source.texels.size(); ++i) {
         const std::uint32_t texel = source.texels[i];
         const glm::dvec3 excess = double{e.scale} * glm::dvec3(e.luminance_nit[texel] - behind[i]);
@@ -97,10 +97,10 @@ void measure(const PictureSphere& sphere, const std::vector<glm::vec3>& behind, 
         sum += excess * solid_angle;
         middle += sphere.direction(texel) * (luminance * solid_angle);
         of_luminance += luminance * solid_angle;
-        of_squares += luminance * luminance * solid_angle;
+        peak = std::max(peak, luminance);
     }
     source.illuminance_lx = sum;
-    source.solid_angle_sr = of_squares > 0.0 ? of_luminance * of_luminance / of_squares : 0.0;
+    source.solid_angle_sr = peak > 0.0 ? of_luminance / peak : 0.0;
     const glm::vec3 picture =
         glm::length(middle) > 0.0 ? glm::vec3(glm::normalize(middle)) : glm::vec3(0.0f, 1.0f, 0.0f);
     source.direction = shading::rotate_about_y(picture, e.rotation_rad);

@@ -14,8 +14,8 @@ namespace candela::scene {
 /// Something small that is far brighter than what surrounds it.
 struct EnvironmentSource {
     glm::vec3 direction{0.0f};  ///< unit, towards it: the mean over its light
-    /// Of the disc that its light fills: (sum of L w)^2 / sum of L^2 w over its texels of solid angle w.
-    /// Exact for one of uniform luminance.
+    /// Of the disc of its peak's luminance that gives the same light: exact for one of uniform luminance,
+    /// and for one texel.
     double solid_angle_sr = 0.0;
     /// What it adds to the light behind it: lx at normal incidence, per Rec.709 channel.
     glm::dvec3 illuminance_lx{0.0};
