@@ -210,7 +210,7 @@ int calibrate(const EnvOptions& options) {
         return 0;
     }
     std::printf("%s: --env-scale %s makes the card %s; %s lx facing up\n", options.file.c_str(),
-                measure::number(factor).c_str(), nit(double{options.value_nit}).c_str(),
+                measure::number(factor, 7).c_str(), nit(double{options.value_nit}).c_str(),
                 measure::readable(scene::upward_illuminance_lx(e)).c_str());
     print_warnings(diagnostics);
     return 0;

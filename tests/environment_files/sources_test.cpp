@@ -65,7 +65,7 @@ TEST(Split, ASunKeepsItsPlaceSizeColorAndLight) {
         EXPECT_TRUE(light.casts_shadow);
         EXPECT_GT(glm::dot(-light.direction, sun), std::cos(0.1 * kPi / 180.0)) << elevation;
         EXPECT_NEAR(light.angular_diameter_rad, 2.0 * radius_deg * kPi / 180.0,
-                    0.02 * radius_deg * kPi / 180.0);
+                    0.04 * radius_deg * kPi / 180.0);
         const double solid_angle = 2.0 * kPi * (1.0 - std::cos(0.5 * double{light.angular_diameter_rad}));
         EXPECT_NEAR(double{light.intensity} / solid_angle / luminous(glm::dvec3(nit)), 1.0, 0.03)
             << "luminance";

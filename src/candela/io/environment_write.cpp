@@ -13,6 +13,8 @@ namespace {
 
 using nlohmann::json;
 
+/// The level of roughness 1 still tells directions apart; Filament and the glTF extension end at 16 texels.
+constexpr std::uint32_t kSmallestLevel = 4;
 constexpr const char* kFormatNames[] = {"ktx2", "ktx2-rgb9e5", "dds", "exr", "exr-faces"};
 constexpr const char* kPresetNames[] = {"candela", "filament", "threejs", "gltf"};
 
@@ -110,9 +112,9 @@ std::optional<EnvironmentPreset> preset_by_name(const std::string& name) {
 FilterDemand demand_of(EnvironmentPreset preset) {
     switch (preset) {
         case EnvironmentPreset::filament:
-            return {scene::RoughnessMapping::filament, 1, true};
+            return {scene::RoughnessMapping::filament, kSmallestLevel, true};
         case EnvironmentPreset::gltf:
-            return {scene::RoughnessMapping::linear, 1, true};
+            return {scene::RoughnessMapping::linear, kSmallestLevel, true};
         default:
             return {};
     }

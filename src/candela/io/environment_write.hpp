@@ -14,7 +14,7 @@ namespace candela::io {
 /// How EnvironmentPreset::candela stores its cubes.
 enum class CubeFormat : std::uint8_t {
     ktx2,         ///< RGBA16F
-    ktx2_rgb9e5,  ///< shared exponent: a third of the size of RGBA16F's alternatives that keep the range
+    ktx2_rgb9e5,  ///< E5B9G9R9: half the size, nine bits for the strongest channel
     dds,          ///< RGBA16F, DX10 header
     exr,          ///< one equirectangular EXR a level
     exr_faces,    ///< six EXR a level
