@@ -77,6 +77,20 @@ TEST(CliEnv, SplitWritesAStageThatGivesTheSameLight) {
         ASSERT_NEAR(t.x, 1000.0f, 1.0f);
 }
 
+TEST(CliEnv, EveryModeSeesTheSunThatWasTakenOutAndNoLightIsLost) {
+    const TemporaryFolder folder;
+    write_sky(folder / "sky.exr", 1e8f);
+    const std::string sky = folder / "sky.exr", file = folder / "nothing.gltf";
+    spit(file, R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]})");
+    const double lx = json::parse(run_candela("env info --json " + sky).out)["upward_illuminance_lx"];
+    for (const char* how :
+         {"--mode path", "--mode path --env-keep-sun", "--mode integrate", "--mode realtime"}) {
+        const Outcome o = run_candela("meter " + file + " --at 0,0,0 --json --env " + sky + " " + how);
+        ASSERT_EQ(o.exit_code, 0) << o.err;
+        EXPECT_NEAR(double(json::parse(o.out)["illuminance_lx"]) / lx, 1.0, 0.01) << how;
+    }
+}
+
 TEST(CliEnv, MistakesAreOneLineWithTheRightExitCode) {
     const TemporaryFolder folder;
     write_sky(folder / "sky.exr", 1000.0f);
