@@ -127,6 +127,18 @@ TEST(Split, WhatIsNoSunStays) {
     }));
 }
 
+TEST(Split, ATexelOfACoarsePictureIsAPartOfTheSkyAndNoSun) {
+    scene::Environment e = picture_of(4, [](const glm::vec3&) { return glm::vec3(10.0f); });
+    e.luminance_nit[3] = glm::vec3(1e7f);
+    EXPECT_TRUE(scene::find_sources(e).empty());
+    e = picture_of(1, [](const glm::vec3&) { return glm::vec3(10.0f); });
+    e.luminance_nit[0] = glm::vec3(1e7f);
+    EXPECT_TRUE(scene::find_sources(e).empty());
+    e.luminance_nit.assign(2, glm::vec3(0.0f));
+    EXPECT_TRUE(scene::find_sources(e).empty());
+    EXPECT_EQ(scene::statistics_of(e).peak_nit, 0.0);
+}
+
 TEST(Split, LampsAreTakenOutTogetherAndTheLightStays) {
     Sky room = [](const glm::vec3&) { return glm::vec3(20.0f); };
     room = with_disc(room, direction_of(50, 30), 2.0, glm::vec3(40000, 30000, 15000));

@@ -213,6 +213,8 @@ class Search {
         if (peak < limits_.contrast * beside) return std::nullopt;
         out.contrast = peak / beside;
         measure(sphere_, light_behind(sphere_, out.texels, rings), out);
+        // A texel of a coarse picture is a part of the sky.
+        if (out.half_angle_rad() > limits_.half_angle_rad) return std::nullopt;
         return out;
     }
 
