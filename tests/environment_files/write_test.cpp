@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "candela/io/environment_read.hpp"
@@ -254,6 +255,17 @@ TEST(Candela, Ktx2HoldsEveryLevelWhereItsSpecificationSaysIt) {
         EXPECT_EQ(word(bytes, descriptor), word(bytes, 52));
         EXPECT_EQ(word(bytes, descriptor + 8) >> 16, word(bytes, 52) - 4);
         EXPECT_EQ(word(bytes, descriptor + 20), half ? 8u : 4u);
+        // Every bit of a texel is some sample's; the exponent of E5B9G9R9 is shared by three.
+        std::uint64_t bits = 0;
+        std::set<std::uint32_t> channels;
+        for (std::uint32_t at = descriptor + 28; at < descriptor + word(bytes, descriptor); at += 16) {
+            const std::uint32_t sample = word(bytes, at);
+            const std::uint32_t length = (sample >> 16 & 0xff) + 1, offset = sample & 0xffff;
+            bits |= (length == 64 ? 0 : (std::uint64_t{1} << length) - 1) << offset;
+            channels.insert(sample >> 24 & 15);
+        }
+        EXPECT_EQ(bits, half ? ~std::uint64_t{0} : 0xffffffffu);
+        EXPECT_EQ(channels, (half ? std::set<std::uint32_t>{0, 1, 2, 15} : std::set<std::uint32_t>{0, 1, 2}));
         for (std::uint32_t level = 0; level < 3; ++level) {
             const std::uint32_t size = 16 >> level, texel = half ? 8 : 4;
             const std::size_t at = word(bytes, 80 + 24 * level);

@@ -47,8 +47,8 @@ struct FilterDemand {
 /// nothing: the files appear under their names when all are whole. Returns their names, environment.json
 /// last. Throws Error (Fault::input for a folder that cannot be had or an environment against demand_of,
 /// Fault::machine when the disk fails).
-std::vector<std::filesystem::path> write_filtered_environment(
-    const std::filesystem::path& folder, const scene::FilteredEnvironment& environment, CubeFormat format,
-    EnvironmentPreset preset);
+std::vector<std::filesystem::path> write_filtered_environment(const std::filesystem::path& folder,
+                                                              const scene::FilteredEnvironment& environment,
+                                                              CubeFormat format, EnvironmentPreset preset);
 
 }  // namespace candela::io
