@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
+#include "candela/io/environment_read.hpp"
 #include "candela/io/image_read.hpp"
+#include "candela/scene/environment_sources.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/tone_curves.glsl"
 
@@ -102,8 +104,8 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     float lux = 0.0f;  // 0: leave the scale as it is
     if (stage.environment && !stage.environment->none) {
         const io::StageEnvironment& e = *stage.environment;
-        job.scene.environment =
-            e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
+        job.scene.environment = e.file.empty() ? bake::studio_environment()
+                                               : io::read_environment(e.file, job.diagnostics, e.options);
         job.scene.environment->scale = e.scale;
         job.scene.environment->rotation_rad = e.rotation_rad;
         job.scene.environment->visible = e.visible;
@@ -117,7 +119,8 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     if (options.environment == "studio") {
         job.scene.environment = bake::studio_environment();
     } else if (!options.environment.empty()) {
-        job.scene.environment = io::read_environment(options.environment, job.diagnostics);
+        job.scene.environment =
+            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file));
         lux = 0.0f;
     }
     if (!job.scene.environment && job.scene.lights.empty()) {
@@ -138,6 +141,8 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
             throw input_error("the environment gives no light", e.name, "leave --env-lux out");
         e.scale = lux / now_lx;
     }
+    const bool stage_keeps = options.environment.empty() && stage.environment && stage.environment->keep_sun;
+    if (!options.env_keep_sun && !stage_keeps) (void)scene::split_sun(job.scene);
 }
 
 glm::vec3 vector_of(const std::vector<float>& v) {
@@ -207,7 +212,12 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 
 void add_scene_options(CLI::App& command, JobOptions& o) {
     add_scene_file_options(command, o);
-    command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
+    command.add_option(
+        "--env", o.environment,
+        "Environment: .hdr, .exr, .ktx2, .dds, a folder of cube faces, NAME_{face}.exr, studio or none");
+    add_environment_file_options(command, o.env_file);
+    command.add_flag("--env-keep-sun", o.env_keep_sun,
+                     "Leave a sun in the environment instead of making it a light that casts a shadow");
     command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
     command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx");

@@ -11,6 +11,7 @@
 #include "candela/realtime/renderer.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
+#include "environment_option.hpp"
 #include "scene_files.hpp"
 #include "shadow_option.hpp"
 
@@ -23,6 +24,8 @@ struct JobOptions : SceneFileOptions {
     std::optional<float> env_rotate_deg;
     std::optional<float> env_lux;
     std::optional<bool> env_visible;
+    EnvironmentFileOptions env_file;
+    bool env_keep_sun = false;
     std::string size = "1280x720";
     std::string camera;
     std::vector<float> look_from;

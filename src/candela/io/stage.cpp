@@ -32,6 +32,17 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
           }},
          {"illuminance_lx",
           [&](const json& v, const std::string& at) { e.illuminance_lx = stage_positive(v, at); }},
+         {"layout",
+          [&](const json& v, const std::string& at) {
+              e.options.layout = static_cast<EnvironmentLayout>(
+                  stage_choice(v, at, {"auto", "equirect", "cross", "octahedral"}));
+          }},
+         {"cube",
+          [&](const json& v, const std::string& at) {
+              e.options.cube_space =
+                  static_cast<scene::CubeSpace>(stage_choice(v, at, {"direct", "picture"}));
+          }},
+         {"keep_sun", [&](const json& v, const std::string& at) { e.keep_sun = stage_boolean(v, at); }},
          {"visible", [&](const json& v, const std::string& at) { e.visible = stage_boolean(v, at); }}});
     if ((e.file.empty() ? 0 : 1) + (studio ? 1 : 0) + (e.none ? 1 : 0) != 1) {
         throw input_error("needs one of a file, \"studio\": true and \"none\": true", where,
