@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
+#include "candela/bake/sky.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/tone_curves.glsl"
+#include "sky_option.hpp"
 
 namespace candela::app {
 namespace {
@@ -96,30 +98,53 @@ realtime::Profile load_profile(const std::string& name) {
     return profile;
 }
 
+/// A sky's picture as the environment; its sun goes with it.
+void set_sky(const scene::SkySettings& settings, Job& job, std::optional<scene::Light>& sun) {
+    bake::Sky sky = bake::sky_of(settings);
+    job.scene.environment = std::move(sky.environment);
+    sun = std::move(sky.sun);
+}
+
+/// What the stage says; returns the illuminance that it asks for, 0 to leave the scale as it is.
+float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun) {
+    if (e.sky)
+        set_sky(*e.sky, job, sun);
+    else
+        job.scene.environment =
+            e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
+    job.scene.environment->scale = e.scale;
+    job.scene.environment->rotation_rad = e.rotation_rad;
+    job.scene.environment->visible = e.visible;
+    return e.illuminance_lx.value_or(0.0f);
+}
+
+/// Scales an environment and its sun so that an up-facing plane receives this from both.
+void scale_to_illuminance(float lux, const std::optional<scene::Light>& sun, scene::Environment& e) {
+    e.scale = 1.0f;
+    float now_lx = bake::upward_illuminance_lx(e);
+    if (sun) now_lx += sun->intensity * std::max(-sun->direction.y, 0.0f);
+    if (!(now_lx > 0.0f)) throw input_error("the environment gives no light", e.name, "leave --env-lux out");
+    e.scale = lux / now_lx;
+}
+
 /// The environment that the command line asks for, else the stage's, else the studio where nothing else gives
 /// light.
 void stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
     float lux = 0.0f;  // 0: leave the scale as it is
-    if (stage.environment && !stage.environment->none) {
-        const io::StageEnvironment& e = *stage.environment;
-        job.scene.environment =
-            e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
-        job.scene.environment->scale = e.scale;
-        job.scene.environment->rotation_rad = e.rotation_rad;
-        job.scene.environment->visible = e.visible;
-        lux = e.illuminance_lx.value_or(0.0f);
-    }
-    const bool stage_says_none = stage.environment && stage.environment->none && options.environment.empty();
-    if (options.environment == "none" || stage_says_none) {
+    std::optional<scene::Light> sun;
+    const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
+    const bool stage_counts = options.environment.empty() && stage.environment;
+    if (options.environment == "none" || (stage_counts && stage.environment->none)) {
         job.scene.environment.reset();
         return;
     }
-    if (options.environment == "studio") {
+    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
+    if (sky)
+        set_sky(*sky, job, sun);
+    else if (options.environment == "studio")
         job.scene.environment = bake::studio_environment();
-    } else if (!options.environment.empty()) {
+    else if (!options.environment.empty())
         job.scene.environment = io::read_environment(options.environment, job.diagnostics);
-        lux = 0.0f;
-    }
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
         job.diagnostics.warn(
@@ -131,13 +156,10 @@ void stage_environment(const JobOptions& options, const io::Stage& stage, Job& j
     if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
     if (options.env_visible) e.visible = *options.env_visible;
     if (options.env_lux) lux = *options.env_lux;
-    if (lux > 0.0f) {
-        e.scale = 1.0f;
-        const float now_lx = bake::upward_illuminance_lx(e);
-        if (!(now_lx > 0.0f))
-            throw input_error("the environment gives no light", e.name, "leave --env-lux out");
-        e.scale = lux / now_lx;
-    }
+    if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
+    if (!sun) return;
+    bake::follow_environment(*sun, e);
+    job.scene.lights.push_back(std::move(*sun));
 }
 
 glm::vec3 vector_of(const std::vector<float>& v) {
@@ -207,7 +229,8 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 
 void add_scene_options(CLI::App& command, JobOptions& o) {
     add_scene_file_options(command, o);
-    command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
+    command.add_option("--env", o.environment,
+                       "Environment: FILE.hdr, FILE.exr, sky, sky:KEY=VALUE,..., studio or none");
     command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
     command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx");

@@ -34,6 +34,11 @@ CONSTANT float kDobsonUnit = 2.687e20f;
 CONSTANT float kAerosolAlbedo = 0.925f;
 CONSTANT float kAerosolAsymmetry = 0.703f;
 
+// The share of aerosol's scattering that counts as none (scattering.glsl). Delta-Eddington's is the asymmetry squared,
+// 0.49; 0.3 is nearer to random walks near a low sun and in twilight (candela validate --only hillaire2020_sky).
+CONSTANT float kForwardShare = 0.3f;
+CONSTANT float kNarrowedAsymmetry = (kAerosolAsymmetry - kForwardShare) / (1.0f - kForwardShare);
+
 // Density of air, aerosol (over that at sea level) and ozone (over its most).
 FN vec3 sky_density(float altitude_m) {
     float level = clamp(altitude_m / kAirLogDensityStep_m, 0.0f, 19.9999f);
@@ -139,6 +144,8 @@ struct SkyAtmosphere {
     SkyBands aerosol_scattering;
     SkyBands aerosol_extinction;
     SkyBands ozone_absorption;
+    SkyBands narrowed_scattering;  // aerosol's without the forward share
+    SkyBands narrowed_extinction;
     vec3 rec709_lx[16];  // of unattenuated sunlight at normal incidence, at 1 astronomical unit
     float ground_albedo;
 };
@@ -169,6 +176,8 @@ FN void sky_atmosphere(float turbidity, float ozone_du, float ground_albedo, OUT
         air.aerosol_extinction.of[b] /= weight.of[b];
         air.ozone_absorption.of[b] /= weight.of[b];
         air.aerosol_scattering.of[b] = kAerosolAlbedo * air.aerosol_extinction.of[b];
+        air.narrowed_scattering.of[b] = (1.0f - kForwardShare) * air.aerosol_scattering.of[b];
+        air.narrowed_extinction.of[b] = air.aerosol_extinction.of[b] - kForwardShare * air.aerosol_scattering.of[b];
     }
     air.ground_albedo = ground_albedo;
 }

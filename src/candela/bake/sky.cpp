@@ -15,14 +15,16 @@ using namespace shading;
 constexpr int kAzimuths = 33;  ///< of half the dome: the other half mirrors it
 constexpr int kElevations = 72;
 
-/// Rays of the sky or of the ground, over azimuth from the sun's and elevation from the horizon. Without their phase
-/// functions they change slowly, so that few do.
+/// Rays of the sky or of the ground, over azimuth from the sun's and elevation from the horizon. Without
+/// their phase functions they change slowly, so that few do.
 struct Half {
     SkyTable<SkyRay<glm::vec3>> rays;
     float horizon_rad;
     bool ground;
 
-    [[nodiscard]] float whole_rad() const { return ground ? 0.5f * PI + horizon_rad : 0.5f * PI - horizon_rad; }
+    [[nodiscard]] float whole_rad() const {
+        return ground ? 0.5f * PI + horizon_rad : 0.5f * PI - horizon_rad;
+    }
     /// Denser towards the horizon, by the square.
     [[nodiscard]] float elevation_rad(int row) const {
         const float off = whole_rad() * square(float(row) / float(kElevations - 1));
@@ -35,8 +37,9 @@ struct Half {
 };
 
 float cosine_to_sun(float elevation_rad, float azimuth_rad, float sun_mu) {
-    return std::sin(elevation_rad) * sun_mu +
-           std::cos(elevation_rad) * std::sqrt(std::max(1.0f - sun_mu * sun_mu, 0.0f)) * std::cos(azimuth_rad);
+    return std::sin(elevation_rad) * sun_mu + std::cos(elevation_rad) *
+                                                  std::sqrt(std::max(1.0f - sun_mu * sun_mu, 0.0f)) *
+                                                  std::cos(azimuth_rad);
 }
 
 Half half_of(const SkyModel& model, bool ground) {
@@ -54,7 +57,10 @@ Half half_of(const SkyModel& model, bool ground) {
 }
 
 SkyRay<glm::vec3> mix_rays(const SkyRay<glm::vec3>& a, const SkyRay<glm::vec3>& b, float t) {
-    return {glm::mix(a.air, b.air, t), glm::mix(a.aerosol, b.aerosol, t), glm::mix(a.rest, b.rest, t)};
+    SkyRay<glm::vec3> out{glm::mix(a.air, b.air, t), {}, glm::mix(a.rest, b.rest, t)};
+    for (std::size_t n = 0; n < out.aerosol.size(); ++n)
+        out.aerosol[n] = glm::mix(a.aerosol[n], b.aerosol[n], t);
+    return out;
 }
 
 glm::vec3 luminance_of(const Half& half, float elevation, float azimuth, float sun_mu) {
@@ -63,11 +69,10 @@ glm::vec3 luminance_of(const Half& half, float elevation, float azimuth, float s
     const int x0 = std::min(int(x), kAzimuths - 2);
     const int y0 = std::min(int(y), kElevations - 2);
     const auto& rays = half.rays;
-    const SkyRay<glm::vec3> light = mix_rays(mix_rays(rays.at(x0, y0), rays.at(x0 + 1, y0), x - float(x0)),
-                                             mix_rays(rays.at(x0, y0 + 1), rays.at(x0 + 1, y0 + 1), x - float(x0)),
-                                             y - float(y0));
-    const float cosine = cosine_to_sun(elevation, azimuth, sun_mu);
-    return rayleigh_phase(cosine) * light.air + aerosol_phase(cosine) * light.aerosol + light.rest;
+    const SkyRay<glm::vec3> light =
+        mix_rays(mix_rays(rays.at(x0, y0), rays.at(x0 + 1, y0), x - float(x0)),
+                 mix_rays(rays.at(x0, y0 + 1), rays.at(x0 + 1, y0 + 1), x - float(x0)), y - float(y0));
+    return radiance_of(light, cosine_to_sun(elevation, azimuth, sun_mu));
 }
 
 scene::Environment picture_of(const SkyModel& model, float sun_azimuth_rad, std::uint32_t height) {
@@ -103,7 +108,8 @@ glm::vec3 level_across(const glm::vec3& d) {
 glm::vec3 sun_direction(const scene::SkySettings& s) {
     const float elevation = s.elevation_deg * PI / 180.0f;
     const float azimuth = s.azimuth_deg * PI / 180.0f;
-    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth)};
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+            -std::cos(elevation) * std::cos(azimuth)};
 }
 
 Sky sky_of(const scene::SkySettings& settings, std::uint32_t height) {

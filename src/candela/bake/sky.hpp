@@ -7,8 +7,8 @@
 
 namespace candela::bake {
 
-/// What a clear sky gives to a scene. The sun's disc is a light of its own, so that it casts shadows; it is not in the
-/// picture of the sky.
+/// What a clear sky gives to a scene. The sun's disc is a light of its own, so that it casts shadows; it is
+/// not in the picture of the sky.
 struct Sky {
     scene::Environment environment;
     std::optional<scene::Light> sun;  ///< none below the horizon
@@ -20,7 +20,8 @@ struct Sky {
 /// Towards the sun's centre: north is -Z, east +X.
 [[nodiscard]] glm::vec3 sun_direction(const scene::SkySettings& settings);
 
-/// Turns and scales the sun as its environment was: by rotation_rad and scale; it is seen where the environment is.
+/// Turns and scales the sun as its environment was: by rotation_rad and scale; it is seen where the
+/// environment is.
 void follow_environment(scene::Light& sun, const scene::Environment& environment);
 
 }  // namespace candela::bake

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shading/environment.glsl"
+
 namespace candela::bake {
 namespace {
 
@@ -18,7 +20,6 @@ constexpr int kSunAngles = 20;
 constexpr float kSunSpan_rad = 0.21f;
 constexpr int kGatherSteps = 16;
 constexpr float kEyeHeight_m = 2.0f;
-static const float kForwardShare = getenv("FS") ? atof(getenv("FS")) : 0.5f;
 
 /// Altitudes of tables lie denser where the air is denser.
 float altitude_of(float row, int rows) {
@@ -45,8 +46,8 @@ void set_zero(T& bands) {
     for (float& x : bands.of) x = 0.0f;
 }
 
-/// Columns are a function of the distance to the top of the air, between its least, upwards, and its most, along the
-/// horizon (Bruneton & Neyret 2008, section 4.2 by Bruneton's revision of 2017).
+/// Columns are a function of the distance to the top of the air, between its least, upwards, and its most,
+/// along the horizon (Bruneton & Neyret 2008, section 4.2 by Bruneton's revision of 2017).
 float columns_x(float altitude_m, float mu) {
     const float least = kAirTop_m - altitude_m;
     const float most = sky_distance_to_top(altitude_m, sky_horizon_mu(altitude_m));
@@ -86,8 +87,8 @@ constexpr std::array<Node, 8> kNodes{{{0.0198550718f, 0.0506142681f},
                                       {0.8983332387f, 0.1111905172f},
                                       {0.9801449282f, 0.0506142681f}}};
 
-/// Steps of a ray lie dense at its lowest point, with the square of their number from there. A share of `before` of
-/// the steps is spent on the way down.
+/// Steps of a ray lie dense at its lowest point, with the square of their number from there. A share of
+/// `before` of the steps is spent on the way down.
 struct Steps {
     float lowest_m;  ///< distance of the lowest point
     float end_m;
@@ -113,25 +114,28 @@ Steps steps_of(float altitude_m, float mu, bool ground, int count) {
     return {before > 0 ? lowest : 0.0f, end, before, count};
 }
 
-/// (1 - exp(-x)) / x with pass = exp(-x); the difference is of rounding alone for small x.
-inline float mean_pass(float x, float pass) {
-    const float series = 1.0f - x * (0.5f - x * (0.16666667f - x * 0.041666667f));
-    const float exact = (1.0f - pass) / std::max(x, 1.0e-3f);
-    return x < 0.05f ? series : exact;
-}
-
 /// Four neighbours in a table of scattered light.
 struct Neighbours {
-    const SkyBands* of[4];
+    const SkyModel::Moments* of[4];
     float weight[4];
+
+    void sum(SkyBands SkyModel::Moments::*moment, float factor, SkyBands& out) const {
+        const float w[4] = {factor * weight[0], factor * weight[1], factor * weight[2], factor * weight[3]};
+        for (int b = 0; b < kSkyBands; ++b)
+            out.of[b] += w[0] * (of[0]->*moment).of[b] + w[1] * (of[1]->*moment).of[b] +
+                         w[2] * (of[2]->*moment).of[b] + w[3] * (of[3]->*moment).of[b];
+    }
 };
+Between sun_between(const SkyModel::Scattered& s, float sun_mu) {
+    if (s.moments.width == 1) return {0, 0, 0.0f};
+    const float angle = atan2_fast(std::sqrt(std::max(1.0f - sun_mu * sun_mu, 0.0f)), sun_mu);
+    return between((angle - s.first_angle_rad) / s.angle_step_rad, s.moments.width);
+}
 Neighbours neighbours(const SkyModel::Scattered& s, float altitude_m, float sun_mu) {
-    const float angle = std::acos(std::clamp(sun_mu, -1.0f, 1.0f));
-    const Between x = between(s.angle_step_rad > 0.0f ? (angle - s.first_angle_rad) / s.angle_step_rad : 0.0f,
-                              s.mean.width);
-    const Between y = between(row_of(altitude_m, s.mean.height), s.mean.height);
-    return {{&s.mean.at(x.low, y.low), &s.mean.at(x.high, y.low), &s.mean.at(x.low, y.high),
-             &s.mean.at(x.high, y.high)},
+    const Between x = sun_between(s, sun_mu);
+    const Between y = between(row_of(altitude_m, s.moments.height), s.moments.height);
+    return {{&s.moments.at(x.low, y.low), &s.moments.at(x.high, y.low), &s.moments.at(x.low, y.high),
+             &s.moments.at(x.high, y.high)},
             {(1.0f - x.share) * (1.0f - y.share), x.share * (1.0f - y.share), (1.0f - x.share) * y.share,
              x.share * y.share}};
 }
@@ -144,11 +148,6 @@ SkyModel::SkyModel(const scene::SkySettings& settings)
       sun_mu_(std::cos(sun_angle_rad_)),
       log_columns_(log_columns()) {
     sky_atmosphere(settings.turbidity, settings.ozone_du, settings.ground_albedo, air_);
-    narrowed_.asymmetry = (kAerosolAsymmetry - kForwardShare) / (1.0f - kForwardShare);
-    for (int b = 0; b < kSkyBands; ++b) {
-        narrowed_.scattering.of[b] = (1.0f - kForwardShare) * air_.aerosol_scattering.of[b];
-        narrowed_.extinction.of[b] = air_.aerosol_extinction.of[b] - kForwardShare * air_.aerosol_scattering.of[b];
-    }
     scattered_ = scatter();
 }
 
@@ -169,32 +168,38 @@ void SkyModel::add_ground(const March& m, float distance_m, const SkyBands& tran
         const vec3 columns = columns_m(0.0f, std::max(sun_mu, 0.0f));
         const float cosine = std::max(sun_mu, 0.0f) * sun_visible_share(0.0f, sun_mu);
         for (int b = 0; b < kSkyBands; ++b)
-            out.rest.of[b] += transmittance.of[b] * reflected * cosine * exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
-                                          narrowed_.extinction.of[b] * columns.y +
-                                          air_.ozone_absorption.of[b] * columns.z));
+            out.rest.of[b] += transmittance.of[b] * reflected * cosine *
+                              exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
+                                                air_.narrowed_extinction.of[b] * columns.y +
+                                                air_.ozone_absorption.of[b] * columns.z));
     }
     if (!m.source) return;
     const Scattered& s = *m.source;
-    const float angle = std::acos(sun_mu);
-    const Between x = between(s.angle_step_rad > 0.0f ? (angle - s.first_angle_rad) / s.angle_step_rad : 0.0f,
-                              s.mean.width);
+    const Between x = sun_between(s, sun_mu);
     const auto& low = s.ground[std::size_t(x.low)];
     const auto& high = s.ground[std::size_t(x.high)];
     for (int b = 0; b < kSkyBands; ++b)
         out.rest.of[b] += transmittance.of[b] * reflected * (low.of[b] + x.share * (high.of[b] - low.of[b]));
 }
 
+void SkyModel::add_forward(const SkyBands& scattered, float aerosol_m, SkyRay<SkyBands>& out) const {
+    for (int b = 0; b < kSkyBands; ++b) {
+        const vec4 shares = forward_shares(kForwardShare * air_.aerosol_scattering.of[b] * aerosol_m);
+        for (int n = 0; n < kForwardOrders; ++n)
+            out.aerosol[std::size_t(n)].of[b] += scattered.of[b] * shares[n];
+    }
+}
+
 SkyRay<SkyBands> SkyModel::march(const March& m) const {
     SkyRay<SkyBands> out;
     set_zero(out.air);
-    set_zero(out.aerosol);
+    for (SkyBands& bands : out.aerosol) set_zero(bands);
     set_zero(out.rest);
     SkyBands passed;
     for (float& x : passed.of) x = 1.0f;
     const float r = kEarthRadius_m + m.altitude_m;
     const Steps steps = steps_of(m.altitude_m, m.mu, m.ground, m.steps);
-    const SkyBands& aerosol_scattering = m.eye ? air_.aerosol_scattering : narrowed_.scattering;
-    const float forward = m.eye ? kForwardShare : 0.0f;
+    const SkyBands& aerosol_scattering = m.eye ? air_.aerosol_scattering : air_.narrowed_scattering;
     float passed_aerosol_m = 0.0f;
     float from = 0.0f;
     for (int i = 0; i < m.steps; ++i) {
@@ -208,32 +213,39 @@ SkyRay<SkyBands> SkyModel::march(const March& m) const {
         const float share = m.sunlit ? sun_visible_share(h, sun_mu) : 0.0f;
         const vec3 columns = share > 0.0f ? columns_m(h, sun_mu) : vec3(0.0f);
         passed_aerosol_m += 0.5f * length * density.y;
-        SkyBands mean;
+        SkyBands even, directed;
+        set_zero(even);
+        set_zero(directed);
         if (m.source) {
             const Neighbours n = neighbours(*m.source, h, sun_mu);
-            for (int b = 0; b < kSkyBands; ++b)
-                mean.of[b] = n.weight[0] * n.of[0]->of[b] + n.weight[1] * n.of[1]->of[b] +
-                             n.weight[2] * n.of[2]->of[b] + n.weight[3] * n.of[3]->of[b];
-        } else {
-            set_zero(mean);
+            n.sum(&Moments::mean, 1.0f, even);
+            const float mu = (r * m.mu + at) / (kEarthRadius_m + h);
+            const float level = m.cosine - mu * sun_mu;
+            const float sun_sine = std::sqrt(std::max(1.0f - sun_mu * sun_mu, 1.0e-6f));
+            n.sum(&Moments::up, 3.0f * kNarrowedAsymmetry * mu, directed);
+            n.sum(&Moments::sunward, 3.0f * kNarrowedAsymmetry * level / sun_sine, directed);
         }
+        SkyBands scattered;
         for (int b = 0; b < kSkyBands; ++b) {
             const float air = air_.air_scattering.of[b] * density.x;
             const float aerosol = aerosol_scattering.of[b] * density.y;
-            const float x = length * (air + narrowed_.extinction.of[b] * density.y +
+            const float x = length * (air + air_.narrowed_extinction.of[b] * density.y +
                                       air_.ozone_absorption.of[b] * density.z);
             const float pass = exp_of_negative(-x);
-            const float arrives = passed.of[b] * length * mean_pass(x, pass);
-            const float sun =
-                share * exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
-                                          narrowed_.extinction.of[b] * columns.y +
-                                          air_.ozone_absorption.of[b] * columns.z));
-            const float ahead = kForwardShare * aerosol_scattering.of[b] * (columns.y + passed_aerosol_m);
+            const float arrives = passed.of[b] * length * mean_transmittance(x, pass);
+            const float sun = share * exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
+                                                        air_.narrowed_extinction.of[b] * columns.y +
+                                                        air_.ozone_absorption.of[b] * columns.z));
             out.air.of[b] += arrives * air * sun;
-            out.aerosol.of[b] += arrives * aerosol * sun * (1.0f - forward + forward * mean_pass(ahead, exp_of_negative(-ahead)));
-            out.rest.of[b] += arrives * (air + narrowed_.scattering.of[b] * density.y) * mean.of[b];
+            scattered.of[b] = arrives * aerosol * sun;
+            out.rest.of[b] += arrives * (air * even.of[b] + air_.narrowed_scattering.of[b] * density.y *
+                                                                (even.of[b] + directed.of[b]));
             passed.of[b] *= pass;
         }
+        if (m.eye)
+            add_forward(scattered, columns.y + passed_aerosol_m, out);
+        else
+            for (int b = 0; b < kSkyBands; ++b) out.aerosol[0].of[b] += scattered.of[b];
         passed_aerosol_m += 0.5f * length * density.y;
     }
     if (m.ground) add_ground(m, steps.end_m, passed, out);
@@ -246,8 +258,11 @@ void SkyModel::gather_at(const Scattered* source, int column, int row, Scattered
     const float h = altitude_of(float(row), kAltitudes);
     const float horizon = sky_horizon_mu(h);
     const float angle = out.first_angle_rad + out.angle_step_rad * float(column);
-    SkyBands mean, ground;
-    set_zero(mean);
+    Moments moments;
+    SkyBands ground;
+    set_zero(moments.mean);
+    set_zero(moments.up);
+    set_zero(moments.sunward);
     set_zero(ground);
     for (const bool below : {false, true}) {
         for (const Node& node : kNodes) {
@@ -257,28 +272,31 @@ void SkyModel::gather_at(const Scattered* source, int column, int row, Scattered
             const float share = std::abs(reach) * 2.0f * node.at * node.weight / float(azimuths);
             for (int a = 0; a < azimuths; ++a) {
                 const float azimuth = PI * (float(a) + 0.5f) / float(azimuths);
-                const float cosine = mu * std::cos(angle) + std::sqrt(std::max(1.0f - mu * mu, 0.0f)) *
-                                                                std::sin(angle) * std::cos(azimuth);
-                const SkyRay<SkyBands> light =
-                    march({h, mu, std::cos(angle), cosine, below, source == nullptr, source, kGatherSteps, false});
+                const float level = std::sqrt(std::max(1.0f - mu * mu, 0.0f)) * std::cos(azimuth);
+                const float cosine = mu * std::cos(angle) + level * std::sin(angle);
+                const SkyRay<SkyBands> light = march(
+                    {h, mu, std::cos(angle), cosine, below, source == nullptr, source, kGatherSteps, false});
                 const float air = rayleigh_phase(cosine);
-                const float aerosol = henyey_greenstein_phase(cosine, narrowed_.asymmetry);
+                const float aerosol = henyey_greenstein_phase(cosine, kNarrowedAsymmetry);
                 for (int b = 0; b < kSkyBands; ++b) {
-                    const float all = share * (air * light.air.of[b] + aerosol * light.aerosol.of[b] + light.rest.of[b]);
-                    mean.of[b] += 0.5f * all;
+                    const float all =
+                        share * (air * light.air.of[b] + aerosol * light.aerosol[0].of[b] + light.rest.of[b]);
+                    moments.mean.of[b] += 0.5f * all;
+                    moments.up.of[b] += 0.5f * mu * all;
+                    moments.sunward.of[b] += 0.5f * level * all;
                     ground.of[b] += below ? 0.0f : TWO_PI * mu * all;
                 }
             }
         }
     }
-    out.mean.at(column, row) = mean;
+    out.moments.at(column, row) = moments;
     if (row == 0) out.ground[std::size_t(column)] = ground;
 }
 
 SkyModel::Scattered SkyModel::gather(const Scattered* source, int columns) const {
     Scattered out;
-    out.mean = {columns, kAltitudes, {}};
-    out.mean.values.resize(std::size_t(columns) * kAltitudes);
+    out.moments = {columns, kAltitudes, {}};
+    out.moments.values.resize(std::size_t(columns) * kAltitudes);
     out.ground.resize(std::size_t(columns));
     out.first_angle_rad = columns > 1 ? sun_angle_rad_ - kSunSpan_rad : sun_angle_rad_;
     out.angle_step_rad = columns > 1 ? 2.0f * kSunSpan_rad / float(columns - 1) : 0.0f;
@@ -287,24 +305,29 @@ SkyModel::Scattered SkyModel::gather(const Scattered* source, int columns) const
     return out;
 }
 
-/// Hillaire 2020, section 5.5: beyond some order all light is even, and each order is the same share of the one before,
-/// which is the mean of what comes where all sources are 1. Changed: the closure begins after two orders that are
-/// integrated, its sources include the ground, and the first order is scattered by its phase functions.
+/// Hillaire 2020, section 5.5: beyond some order all light is even, and each order is the same share of the
+/// one before, which is the mean of what comes where all sources are 1. Changed: the closure begins after two
+/// orders that are integrated, its sources include the ground, and the first order is scattered by its phase
+/// functions.
 SkyModel::Scattered SkyModel::scatter() const {
     Scattered all = gather(nullptr, kSunAngles);
     const Scattered second = gather(&all, kSunAngles);
     Scattered one;
-    one.mean = {1, kAltitudes, std::vector<SkyBands>(kAltitudes)};
+    one.moments = {1, kAltitudes, std::vector<Moments>(kAltitudes)};
     one.ground.resize(1);
-    for (SkyBands& bands : one.mean.values)
-        for (float& x : bands.of) x = 1.0f;
+    for (Moments& moments : one.moments.values)
+        for (float& x : moments.mean.of) x = 1.0f;
     for (float& x : one.ground[0].of) x = PI;
     const Scattered share = gather(&one, 1);
     for (int row = 0; row < kAltitudes; ++row) {
         for (int column = 0; column < kSunAngles; ++column) {
             for (int b = 0; b < kSkyBands; ++b) {
-                const float rest = 1.0f / (1.0f - std::min(share.mean.at(0, row).of[b], 0.99f));
-                all.mean.at(column, row).of[b] += second.mean.at(column, row).of[b] * rest;
+                const float rest = multiple_scattering_closure(share.moments.at(0, row).mean.of[b]);
+                Moments& m = all.moments.at(column, row);
+                const Moments& m2 = second.moments.at(column, row);
+                m.mean.of[b] += m2.mean.of[b] * rest;
+                m.up.of[b] += m2.up.of[b];
+                m.sunward.of[b] += m2.sunward.of[b];
                 if (row == 0)
                     all.ground[std::size_t(column)].of[b] += second.ground[std::size_t(column)].of[b] * rest;
             }
@@ -334,15 +357,24 @@ glm::vec3 SkyModel::sun_rec709_lx() const {
 }
 
 SkyRay<glm::vec3> SkyModel::ray(float mu, float cosine, bool ground, int steps) const {
-    const SkyRay<SkyBands> light = march({eye_m_, mu, sun_mu_, cosine, ground, true, &scattered_, steps, true});
-    return {sky_rec709(air_, light.air), sky_rec709(air_, light.aerosol), sky_rec709(air_, light.rest)};
+    const SkyRay<SkyBands> light =
+        march({eye_m_, mu, sun_mu_, cosine, ground, true, &scattered_, steps, true});
+    SkyRay<glm::vec3> out{sky_rec709(air_, light.air), {}, sky_rec709(air_, light.rest)};
+    for (std::size_t n = 0; n < out.aerosol.size(); ++n) out.aerosol[n] = sky_rec709(air_, light.aerosol[n]);
+    return out;
+}
+
+glm::vec3 radiance_of(const SkyRay<glm::vec3>& light, float cosine) {
+    glm::vec3 sum = rayleigh_phase(cosine) * light.air + light.rest;
+    for (int n = 0; n < kForwardOrders; ++n) sum += forward_phase(cosine, n) * light.aerosol[std::size_t(n)];
+    return sum;
 }
 
 glm::vec3 SkyModel::luminance_nit(float elevation_rad, float azimuth_rad) const {
     const float mu = std::sin(elevation_rad);
-    const float cosine = mu * sun_mu_ + std::cos(elevation_rad) * std::sin(sun_angle_rad_) * std::cos(azimuth_rad);
-    const SkyRay<glm::vec3> light = ray(mu, cosine, mu < sky_horizon_mu(eye_m_));
-    return rayleigh_phase(cosine) * light.air + aerosol_phase(cosine) * light.aerosol + light.rest;
+    const float cosine =
+        mu * sun_mu_ + std::cos(elevation_rad) * std::sin(sun_angle_rad_) * std::cos(azimuth_rad);
+    return radiance_of(ray(mu, cosine, mu < sky_horizon_mu(eye_m_)), cosine);
 }
 
 }  // namespace candela::bake

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "candela/scene/sky.hpp"
-#include "shading/sky/atmosphere.glsl"
+#include "shading/sky/scattering.glsl"
 
 namespace candela::bake {
 
@@ -25,18 +25,25 @@ struct SkyTable {
     }
 };
 
-/// What comes along a ray of sky, apart from the phase functions of light scattered once, which are the same
-/// all along it: shares of sunlight, 1/sr. Linear Rec.709 in cd/m^2 once weighted.
+/// Scatterings by aerosol one after the other that are told apart (shading::forward_shares); the last is all
+/// further ones.
+inline constexpr int kForwardOrders = 4;
+
+/// What comes along a ray of sky, apart from the phase functions, which are the same all along it: shares of
+/// sunlight, 1/sr, or of all bands together linear Rec.709 in cd/m^2.
 template <class T>
 struct SkyRay {
-    T air;      ///< scattered once, by air: times rayleigh_phase
-    T aerosol;  ///< scattered once, by aerosol: times aerosol_phase
-    T rest;     ///< scattered more often or reflected by the ground
+    T air;                                  ///< scattered by air: times rayleigh_phase
+    std::array<T, kForwardOrders> aerosol;  ///< by aerosol so many times in a row: times forward_phase
+    T rest;                                 ///< all other
 };
 
+/// The sum of a ray's parts; `cosine`: between ray and sun.
+[[nodiscard]] glm::vec3 radiance_of(const SkyRay<glm::vec3>& light, float cosine);
+
 /// The sky over one place at one position of the sun, spectrally (shading/sky). Light scattered once is
-/// integrated along each ray; of what is scattered more often two orders are integrated over all directions,
-/// the following ones by Hillaire's closure.
+/// integrated along each ray; two orders are integrated over all directions, with their mean and its first
+/// moment; the following ones are Hillaire's closure.
 class SkyModel {
   public:
     explicit SkyModel(const scene::SkySettings& settings);
@@ -58,10 +65,16 @@ class SkyModel {
     /// can be negative.
     [[nodiscard]] glm::vec3 luminance_nit(float elevation_rad, float azimuth_rad) const;
 
-    /// Mean over all directions of light of some orders of scattering, over altitude and the sun's angle from the
-    /// zenith there; and what it gives to level ground.
+    /// Means over all directions of radiance by sunlight's irradiance, 1/sr.
+    struct Moments {
+        shading::SkyBands mean;
+        shading::SkyBands up;       ///< times the cosine between the way to look and up
+        shading::SkyBands sunward;  ///< ... and level towards the sun
+    };
+    /// Light of some orders of scattering over altitude and the sun's angle from the zenith there; and what
+    /// it gives to level ground.
     struct Scattered {
-        SkyTable<shading::SkyBands> mean;      ///< radiance by sunlight's irradiance, 1/sr
+        SkyTable<Moments> moments;
         std::vector<shading::SkyBands> ground;  ///< irradiance by sunlight's
         float first_angle_rad = 0.0f;           ///< of the sun, in the first column
         float angle_step_rad = 0.0f;
@@ -73,15 +86,16 @@ class SkyModel {
         float altitude_m;
         float mu;
         float sun_mu;
-        float cosine;  ///< between ray and sun
-        bool ground;   ///< ends there, or misses it
-        bool sunlit;   ///< with light scattered or reflected once
+        float cosine;             ///< between ray and sun
+        bool ground;              ///< ends there, or misses it
+        bool sunlit;              ///< with light scattered or reflected once
         const Scattered* source;  ///< and with what this scatters again; may be null
         int steps;
-        bool eye;
+        bool eye;  ///< ends there: by the phase functions of its last scatterings; else for a mean
     };
-    struct Narrowed { shading::SkyBands scattering; shading::SkyBands extinction; float asymmetry; };
     [[nodiscard]] SkyRay<shading::SkyBands> march(const March& m) const;
+    void add_forward(const shading::SkyBands& scattered, float aerosol_m,
+                     SkyRay<shading::SkyBands>& out) const;
     void add_ground(const March& m, float distance_m, const shading::SkyBands& transmittance,
                     SkyRay<shading::SkyBands>& out) const;
     void gather_at(const Scattered* source, int column, int row, Scattered& out) const;
@@ -89,7 +103,6 @@ class SkyModel {
     [[nodiscard]] Scattered scatter() const;
 
     shading::SkyAtmosphere air_;
-    Narrowed narrowed_;
     float eye_m_;
     float sun_angle_rad_;  ///< from the zenith
     float sun_mu_;

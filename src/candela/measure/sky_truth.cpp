@@ -75,8 +75,9 @@ class Walk {
                 const double phase = (1.0 - aerosol) * double(rayleigh_phase(cosine)) +
                                      aerosol * double(aerosol_phase(cosine));
                 sum += weight * phase * sun_at(h, glm::dot(glm::normalize(p), to_sun_));
-                d = around(d, uniform(random_) < aerosol ? aerosol_cosine(uniform(random_)) : air_cosine(random_),
-                           random_);
+                d = around(
+                    d, uniform(random_) < aerosol ? aerosol_cosine(uniform(random_)) : air_cosine(random_),
+                    random_);
             }
             if (event >= kRouletteFrom) {
                 const double survive = std::min(weight, 0.9);
@@ -101,7 +102,8 @@ class Walk {
         const double air = double(air_.air_scattering.of[band_] * density.x);
         const double aerosol = double(air_.aerosol_scattering.of[band_] * density.y);
         return {air, aerosol,
-                air + double(air_.aerosol_extinction.of[band_] * density.y + air_.ozone_absorption.of[band_] * density.z)};
+                air + double(air_.aerosol_extinction.of[band_] * density.y +
+                             air_.ozone_absorption.of[band_] * density.z)};
     }
 
     double sun_at(double altitude_m, double sun_mu) const {
@@ -119,7 +121,8 @@ class Walk {
         for (;;) {
             const double r = glm::length(p);
             const double mu = glm::dot(p, d) / r;
-            const double lowest = mu >= 0.0 ? r : std::max(r * std::sqrt(std::max(1.0 - mu * mu, 0.0)), kRadius);
+            const double lowest =
+                mu >= 0.0 ? r : std::max(r * std::sqrt(std::max(1.0 - mu * mu, 0.0)), kRadius);
             const double bound = bound_at(lowest - kRadius);
             const double step = -std::log(uniform(random_)) / bound;
             const double b = r * mu;
@@ -153,10 +156,11 @@ class Walk {
     Random& random_;
 };
 
-/// Mean of walks that start at the eye in the directions that `towards` draws, times `factor`; bands are drawn by their
-/// luminance.
+/// Mean of walks that start at the eye in the directions that `towards` draws, times `factor`; bands are
+/// drawn by their luminance.
 template <class Towards>
-SkyEstimate estimate(const bake::SkyModel& model, int walks, std::uint64_t seed, double factor, Towards towards) {
+SkyEstimate estimate(const bake::SkyModel& model, int walks, std::uint64_t seed, double factor,
+                     Towards towards) {
     Random random(seed);
     std::array<double, std::size_t(kSkyBands)> below{};
     double all_lx = 0.0;
@@ -170,8 +174,8 @@ SkyEstimate estimate(const bake::SkyModel& model, int walks, std::uint64_t seed,
         const auto band = std::min(std::upper_bound(below.begin(), below.end(), at) - below.begin(),
                                    std::ptrdiff_t{kSkyBands - 1});
         Walk walk(model, to_sun, int(band), random);
-        const double x =
-            factor * all_lx * walk.radiance({0.0, kRadius + double(model.eye_altitude_m()), 0.0}, towards(random));
+        const double x = factor * all_lx *
+                         walk.radiance({0.0, kRadius + double(model.eye_altitude_m()), 0.0}, towards(random));
         sum += x;
         squares += x * x;
     }
@@ -181,8 +185,8 @@ SkyEstimate estimate(const bake::SkyModel& model, int walks, std::uint64_t seed,
 
 }  // namespace
 
-SkyEstimate sky_luminance_truth(const bake::SkyModel& model, double elevation_rad, double azimuth_rad, int walks,
-                                std::uint64_t seed) {
+SkyEstimate sky_luminance_truth(const bake::SkyModel& model, double elevation_rad, double azimuth_rad,
+                                int walks, std::uint64_t seed) {
     const double level = std::cos(elevation_rad);
     const dvec3 d(level * std::sin(azimuth_rad), std::sin(elevation_rad), -level * std::cos(azimuth_rad));
     return estimate(model, walks, seed, 1.0, [&](Random&) { return d; });
