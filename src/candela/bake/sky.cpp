@@ -75,7 +75,22 @@ glm::vec3 luminance_of(const Half& half, float elevation, float azimuth, float s
     return radiance_of(light, cosine_to_sun(elevation, azimuth, sun_mu));
 }
 
-scene::Environment picture_of(const SkyModel& model, float sun_azimuth_rad, std::uint32_t height) {
+/// Any direction across; a sun is round.
+glm::vec3 level_across(const glm::vec3& d) {
+    const glm::vec3 across = glm::cross(d, std::abs(d.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1));
+    return glm::normalize(across);
+}
+
+}  // namespace
+
+glm::vec3 sun_direction(const scene::SkySettings& s) {
+    const float elevation = s.elevation_deg * PI / 180.0f;
+    const float azimuth = s.azimuth_deg * PI / 180.0f;
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+            -std::cos(elevation) * std::cos(azimuth)};
+}
+
+scene::Environment sky_picture(const SkyModel& model, float sun_azimuth_rad, std::uint32_t height) {
     const Half above = half_of(model, false);
     const Half below = half_of(model, true);
     scene::Environment e;
@@ -97,25 +112,10 @@ scene::Environment picture_of(const SkyModel& model, float sun_azimuth_rad, std:
     return e;
 }
 
-/// Any direction across; a sun is round.
-glm::vec3 level_across(const glm::vec3& d) {
-    const glm::vec3 across = glm::cross(d, std::abs(d.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1));
-    return glm::normalize(across);
-}
-
-}  // namespace
-
-glm::vec3 sun_direction(const scene::SkySettings& s) {
-    const float elevation = s.elevation_deg * PI / 180.0f;
-    const float azimuth = s.azimuth_deg * PI / 180.0f;
-    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-            -std::cos(elevation) * std::cos(azimuth)};
-}
-
 Sky sky_of(const scene::SkySettings& settings, std::uint32_t height) {
     const SkyModel model(settings);
     Sky sky;
-    sky.environment = picture_of(model, settings.azimuth_deg * PI / 180.0f, height);
+    sky.environment = sky_picture(model, settings.azimuth_deg * PI / 180.0f, height);
     const glm::vec3 lx = rec709_into_gamut(model.sun_rec709_lx());
     if (!(luminance(lx) > 0.0f)) return sky;
     scene::Light sun;

@@ -17,6 +17,10 @@ struct Sky {
 /// The sky as an environment 2 * height texels wide, row 0 at the zenith, ground below the horizon.
 [[nodiscard]] Sky sky_of(const scene::SkySettings& settings, std::uint32_t height = 512);
 
+/// The picture of a model's sky by itself, with the sun at this azimuth from north.
+[[nodiscard]] scene::Environment sky_picture(const SkyModel& model, float sun_azimuth_rad,
+                                             std::uint32_t height);
+
 /// Towards the sun's centre: north is -Z, east +X.
 [[nodiscard]] glm::vec3 sun_direction(const scene::SkySettings& settings);
 

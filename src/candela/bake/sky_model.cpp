@@ -54,7 +54,7 @@ float columns_x(float altitude_m, float mu) {
     return (sky_distance_to_top(altitude_m, mu) - least) / std::max(most - least, 1.0f);
 }
 
-SkyTable<glm::vec3> log_columns() {
+SkyTable<glm::vec3> create_log_columns() {
     SkyTable<glm::vec3> table{kColumnMus, kColumnAltitudes, {}};
     table.values.resize(std::size_t{kColumnMus} * kColumnAltitudes);
     tbb::parallel_for(0, kColumnAltitudes, [&](int row) {
@@ -70,6 +70,12 @@ SkyTable<glm::vec3> log_columns() {
             table.at(x, row) = glm::log(glm::max(sky_columns_m(h, x == 0 ? 1.0f : mu), vec3(1.0e-6f)));
         }
     });
+    return table;
+}
+
+/// The same for every sky.
+const SkyTable<glm::vec3>& log_columns() {
+    static const SkyTable<glm::vec3> table = create_log_columns();
     return table;
 }
 
@@ -145,17 +151,17 @@ Neighbours neighbours(const SkyModel::Scattered& s, float altitude_m, float sun_
 SkyModel::SkyModel(const scene::SkySettings& settings)
     : eye_m_(std::max(settings.altitude_m, kEyeHeight_m)),
       sun_angle_rad_((90.0f - settings.elevation_deg) * PI / 180.0f),
-      sun_mu_(std::cos(sun_angle_rad_)),
-      log_columns_(log_columns()) {
+      sun_mu_(std::cos(sun_angle_rad_)) {
     sky_atmosphere(settings.turbidity, settings.ozone_du, settings.ground_albedo, air_);
     scattered_ = scatter();
 }
 
 glm::vec3 SkyModel::columns_m(float altitude_m, float mu) const {
+    const SkyTable<glm::vec3>& table = log_columns();
     const Between y = between(row_of(altitude_m, kColumnAltitudes), kColumnAltitudes);
     const Between x = between(columns_x(altitude_m, mu) * float(kColumnMus - 1), kColumnMus);
-    const vec3 low = glm::mix(log_columns_.at(x.low, y.low), log_columns_.at(x.high, y.low), x.share);
-    const vec3 high = glm::mix(log_columns_.at(x.low, y.high), log_columns_.at(x.high, y.high), x.share);
+    const vec3 low = glm::mix(table.at(x.low, y.low), table.at(x.high, y.low), x.share);
+    const vec3 high = glm::mix(table.at(x.low, y.high), table.at(x.high, y.high), x.share);
     return glm::exp(glm::mix(low, high, y.share));
 }
 

@@ -106,7 +106,6 @@ class SkyModel {
     float eye_m_;
     float sun_angle_rad_;  ///< from the zenith
     float sun_mu_;
-    SkyTable<glm::vec3> log_columns_;
     Scattered scattered_;
 };
 
