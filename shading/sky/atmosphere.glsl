@@ -107,7 +107,8 @@ FN vec3 sky_columns_m(float altitude_m, float mu) {
 
 // Share of the sun's disc above the horizon where the sun's centre has this mu: the segment of a circle.
 FN float sun_visible_share(float altitude_m, float sun_mu) {
-    float x = clamp((sun_mu - sky_horizon_mu(altitude_m)) / kSunAngularRadius_rad, -1.0f, 1.0f);
+    float x = (sun_mu - sky_horizon_mu(altitude_m)) / kSunAngularRadius_rad;
+    if (abs(x) >= 1.0f) return x > 0.0f ? 1.0f : 0.0f;
     float chord = sqrt(1.0f - square(x));
     return 0.5f + (x * chord + atan(x, chord)) * INV_PI;
 }
@@ -182,12 +183,17 @@ FN void sky_atmosphere(float turbidity, float ozone_du, float ground_albedo, OUT
     air.ground_albedo = ground_albedo;
 }
 
+// Optical depth of columns (or, of densities, the extinction per metre) by coefficients per metre at density 1.
+FN float sky_optical_depth(float air, float aerosol, float ozone, vec3 columns_m) {
+    return air * columns_m.x + aerosol * columns_m.y + ozone * columns_m.z;
+}
+
 // Share of each band that passes these columns.
 FN SkyBands sky_transmittance(SkyAtmosphere air, vec3 columns_m) {
     SkyBands t;
     for (int b = 0; b < kSkyBands; ++b)
-        t.of[b] = exp_of_negative(-(air.air_scattering.of[b] * columns_m.x + air.aerosol_extinction.of[b] * columns_m.y +
-                                    air.ozone_absorption.of[b] * columns_m.z));
+        t.of[b] = exp_of_negative(-sky_optical_depth(air.air_scattering.of[b], air.aerosol_extinction.of[b],
+                                                     air.ozone_absorption.of[b], columns_m));
     return t;
 }
 

@@ -15,9 +15,12 @@ using namespace shading;
 constexpr int kColumnMus = 192;
 constexpr int kColumnAltitudes = 64;
 constexpr int kAltitudes = 20;  ///< of light scattered more than once
-constexpr int kSunAngles = 20;
+/// Columns of the sun's angle: in twilight light falls by half within a degree.
+constexpr int kSunAnglesHigh = 12;
+constexpr int kSunAnglesLow = 36;
+constexpr float kLowSun_rad = 1.4f;  ///< 10 degrees above the level
 /// The longest way along the horizon spans 10 degrees of the earth.
-constexpr float kSunSpan_rad = 0.21f;
+constexpr float kSunSpan_rad = 0.18f;
 constexpr int kGatherSteps = 16;
 constexpr float kEyeHeight_m = 2.0f;
 
@@ -174,10 +177,8 @@ void SkyModel::add_ground(const March& m, float distance_m, const SkyBands& tran
         const vec3 columns = columns_m(0.0f, std::max(sun_mu, 0.0f));
         const float cosine = std::max(sun_mu, 0.0f) * sun_visible_share(0.0f, sun_mu);
         for (int b = 0; b < kSkyBands; ++b)
-            out.rest.of[b] += transmittance.of[b] * reflected * cosine *
-                              exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
-                                                air_.narrowed_extinction.of[b] * columns.y +
-                                                air_.ozone_absorption.of[b] * columns.z));
+            out.rest.of[b] +=
+                transmittance.of[b] * reflected * cosine * exp_of_negative(-narrowed_depth(b, columns));
     }
     if (!m.source) return;
     const Scattered& s = *m.source;
@@ -194,6 +195,20 @@ void SkyModel::add_forward(const SkyBands& scattered, float aerosol_m, SkyRay<Sk
         for (int n = 0; n < kForwardOrders; ++n)
             out.aerosol[std::size_t(n)].of[b] += scattered.of[b] * shares[n];
     }
+}
+
+SkyModel::Source SkyModel::source_at(const March& m, float distance_m, float altitude_m, float sun_mu) const {
+    Source out;
+    set_zero(out.even);
+    set_zero(out.directed);
+    if (!m.source) return out;
+    const Neighbours n = neighbours(*m.source, altitude_m, sun_mu);
+    const float mu = ((kEarthRadius_m + m.altitude_m) * m.mu + distance_m) / (kEarthRadius_m + altitude_m);
+    const float sunward = (m.cosine - mu * sun_mu) / std::sqrt(std::max(1.0f - sun_mu * sun_mu, 1.0e-6f));
+    n.sum(&Moments::mean, 1.0f, out.even);
+    n.sum(&Moments::up, 3.0f * kNarrowedAsymmetry * mu, out.directed);
+    n.sum(&Moments::sunward, 3.0f * kNarrowedAsymmetry * sunward, out.directed);
+    return out;
 }
 
 SkyRay<SkyBands> SkyModel::march(const March& m) const {
@@ -219,33 +234,20 @@ SkyRay<SkyBands> SkyModel::march(const March& m) const {
         const float share = m.sunlit ? sun_visible_share(h, sun_mu) : 0.0f;
         const vec3 columns = share > 0.0f ? columns_m(h, sun_mu) : vec3(0.0f);
         passed_aerosol_m += 0.5f * length * density.y;
-        SkyBands even, directed;
-        set_zero(even);
-        set_zero(directed);
-        if (m.source) {
-            const Neighbours n = neighbours(*m.source, h, sun_mu);
-            n.sum(&Moments::mean, 1.0f, even);
-            const float mu = (r * m.mu + at) / (kEarthRadius_m + h);
-            const float level = m.cosine - mu * sun_mu;
-            const float sun_sine = std::sqrt(std::max(1.0f - sun_mu * sun_mu, 1.0e-6f));
-            n.sum(&Moments::up, 3.0f * kNarrowedAsymmetry * mu, directed);
-            n.sum(&Moments::sunward, 3.0f * kNarrowedAsymmetry * level / sun_sine, directed);
-        }
+        const Source source = source_at(m, at, h, sun_mu);
         SkyBands scattered;
         for (int b = 0; b < kSkyBands; ++b) {
             const float air = air_.air_scattering.of[b] * density.x;
             const float aerosol = aerosol_scattering.of[b] * density.y;
-            const float x = length * (air + air_.narrowed_extinction.of[b] * density.y +
-                                      air_.ozone_absorption.of[b] * density.z);
+            const float x = length * narrowed_depth(b, density);
             const float pass = exp_of_negative(-x);
             const float arrives = passed.of[b] * length * mean_transmittance(x, pass);
-            const float sun = share * exp_of_negative(-(air_.air_scattering.of[b] * columns.x +
-                                                        air_.narrowed_extinction.of[b] * columns.y +
-                                                        air_.ozone_absorption.of[b] * columns.z));
+            const float sun = share * exp_of_negative(-narrowed_depth(b, columns));
             out.air.of[b] += arrives * air * sun;
             scattered.of[b] = arrives * aerosol * sun;
-            out.rest.of[b] += arrives * (air * even.of[b] + air_.narrowed_scattering.of[b] * density.y *
-                                                                (even.of[b] + directed.of[b]));
+            out.rest.of[b] +=
+                arrives * (air * source.even.of[b] + air_.narrowed_scattering.of[b] * density.y *
+                                                         (source.even.of[b] + source.directed.of[b]));
             passed.of[b] *= pass;
         }
         if (m.eye)
@@ -316,8 +318,9 @@ SkyModel::Scattered SkyModel::gather(const Scattered* source, int columns) const
 /// orders that are integrated, its sources include the ground, and the first order is scattered by its phase
 /// functions.
 SkyModel::Scattered SkyModel::scatter() const {
-    Scattered all = gather(nullptr, kSunAngles);
-    const Scattered second = gather(&all, kSunAngles);
+    const int columns = sun_angle_rad_ < kLowSun_rad ? kSunAnglesHigh : kSunAnglesLow;
+    Scattered all = gather(nullptr, columns);
+    const Scattered second = gather(&all, columns);
     Scattered one;
     one.moments = {1, kAltitudes, std::vector<Moments>(kAltitudes)};
     one.ground.resize(1);
@@ -326,7 +329,7 @@ SkyModel::Scattered SkyModel::scatter() const {
     for (float& x : one.ground[0].of) x = PI;
     const Scattered share = gather(&one, 1);
     for (int row = 0; row < kAltitudes; ++row) {
-        for (int column = 0; column < kSunAngles; ++column) {
+        for (int column = 0; column < columns; ++column) {
             for (int b = 0; b < kSkyBands; ++b) {
                 const float rest = multiple_scattering_closure(share.moments.at(0, row).mean.of[b]);
                 Moments& m = all.moments.at(column, row);

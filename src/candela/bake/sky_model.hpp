@@ -93,6 +93,17 @@ class SkyModel {
         int steps;
         bool eye;  ///< ends there: by the phase functions of its last scatterings; else for a mean
     };
+    /// What is scattered at a point of a ray by air, evenly, and what aerosol adds by its asymmetry.
+    struct Source {
+        shading::SkyBands even;
+        shading::SkyBands directed;
+    };
+    [[nodiscard]] float narrowed_depth(int band, const glm::vec3& columns_m) const {
+        const auto b = static_cast<std::size_t>(band);
+        return shading::sky_optical_depth(air_.air_scattering.of[b], air_.narrowed_extinction.of[b],
+                                          air_.ozone_absorption.of[b], columns_m);
+    }
+    [[nodiscard]] Source source_at(const March& m, float distance_m, float altitude_m, float sun_mu) const;
     [[nodiscard]] SkyRay<shading::SkyBands> march(const March& m) const;
     void add_forward(const shading::SkyBands& scattered, float aerosol_m,
                      SkyRay<shading::SkyBands>& out) const;

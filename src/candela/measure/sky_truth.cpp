@@ -101,9 +101,7 @@ class Walk {
         const vec3 density = sky_density(float(altitude_m));
         const double air = double(air_.air_scattering.of[band_] * density.x);
         const double aerosol = double(air_.aerosol_scattering.of[band_] * density.y);
-        return {air, aerosol,
-                air + double(air_.aerosol_extinction.of[band_] * density.y +
-                             air_.ozone_absorption.of[band_] * density.z)};
+        return {air, aerosol, double(extinction(density))};
     }
 
     double sun_at(double altitude_m, double sun_mu) const {
@@ -111,9 +109,11 @@ class Walk {
         const float visible = sun_visible_share(h, float(sun_mu));
         if (!(visible > 0.0f)) return 0.0;
         const vec3 columns = model_.columns_m(h, std::max(float(sun_mu), sky_horizon_mu(h)));
-        return double(visible) * std::exp(-double(air_.air_scattering.of[band_] * columns.x +
-                                                  air_.aerosol_extinction.of[band_] * columns.y +
-                                                  air_.ozone_absorption.of[band_] * columns.z));
+        return double(visible) * std::exp(-double(extinction(columns)));
+    }
+    float extinction(const vec3& columns) const {
+        return sky_optical_depth(air_.air_scattering.of[band_], air_.aerosol_extinction.of[band_],
+                                 air_.ozone_absorption.of[band_], columns);
     }
 
     /// To the next collision, by rejection against a bound of the extinction ahead (Woodcock et al. 1965).
