@@ -127,41 +127,6 @@ void scale_to_illuminance(float lux, const std::optional<scene::Light>& sun, sce
     e.scale = lux / now_lx;
 }
 
-/// The environment that the command line asks for, else the stage's, else the studio where nothing else gives
-/// light.
-void stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
-    float lux = 0.0f;  // 0: leave the scale as it is
-    std::optional<scene::Light> sun;
-    const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
-    const bool stage_counts = options.environment.empty() && stage.environment;
-    if (options.environment == "none" || (stage_counts && stage.environment->none)) {
-        job.scene.environment.reset();
-        return;
-    }
-    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
-    if (sky)
-        set_sky(*sky, job, sun);
-    else if (options.environment == "studio")
-        job.scene.environment = bake::studio_environment();
-    else if (!options.environment.empty())
-        job.scene.environment = io::read_environment(options.environment, job.diagnostics);
-    if (!job.scene.environment && job.scene.lights.empty()) {
-        job.scene.environment = bake::studio_environment();
-        job.diagnostics.warn(
-            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
-    }
-    if (!job.scene.environment) return;
-    scene::Environment& e = *job.scene.environment;
-    if (options.env_scale) e.scale = *options.env_scale;
-    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
-    if (options.env_visible) e.visible = *options.env_visible;
-    if (options.env_lux) lux = *options.env_lux;
-    if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
-    if (!sun) return;
-    bake::follow_environment(*sun, e);
-    job.scene.lights.push_back(std::move(*sun));
-}
-
 glm::vec3 vector_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
@@ -227,8 +192,45 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 
 }  // namespace
 
+void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+    float lux = 0.0f;  // 0: leave the scale as it is
+    std::optional<scene::Light> sun;
+    const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
+    const bool stage_counts = options.environment.empty() && stage.environment;
+    if (options.environment == "none" || (stage_counts && stage.environment->none)) {
+        job.scene.environment.reset();
+        return;
+    }
+    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
+    if (sky)
+        set_sky(*sky, job, sun);
+    else if (options.environment == "studio")
+        job.scene.environment = bake::studio_environment();
+    else if (!options.environment.empty())
+        job.scene.environment = io::read_environment(options.environment, job.diagnostics);
+    if (!job.scene.environment && job.scene.lights.empty()) {
+        job.scene.environment = bake::studio_environment();
+        job.diagnostics.warn(
+            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
+    }
+    if (!job.scene.environment) return;
+    scene::Environment& e = *job.scene.environment;
+    if (options.env_scale) e.scale = *options.env_scale;
+    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
+    if (options.env_visible) e.visible = *options.env_visible;
+    if (options.env_lux) lux = *options.env_lux;
+    if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
+    if (!sun) return;
+    bake::follow_environment(*sun, e);
+    job.scene.lights.push_back(std::move(*sun));
+}
+
 void add_scene_options(CLI::App& command, JobOptions& o) {
     add_scene_file_options(command, o);
+    add_environment_options(command, o);
+}
+
+void add_environment_options(CLI::App& command, JobOptions& o) {
     command.add_option("--env", o.environment,
                        "Environment: FILE.hdr, FILE.exr, sky, sky:KEY=VALUE,..., studio or none");
     command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
@@ -282,7 +284,7 @@ Job prepare(const JobOptions& options) {
     StagedScene staged = load_staged_scene(options, job.diagnostics);
     job.scene = std::move(staged.scene);
     const io::Stage& stage = staged.stage;
-    stage_environment(options, stage, job);
+    set_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);
     return job;

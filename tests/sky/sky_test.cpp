@@ -191,6 +191,16 @@ TEST(Sky, ItIsThatOfRandomWalksThroughTheSameAir) {
     }
 }
 
+/// Even scattering of all light but the first would be 20 % too dark below the sun and too bright opposite.
+TEST(Sky, HazeIsBrighterBelowTheSunAsInRandomWalks) {
+    const bake::SkyModel model(sky(20.0f, 3.0f));
+    for (const double azimuth : {0.0, M_PI}) {
+        const measure::SkyEstimate truth = measure::sky_luminance_truth(model, 0.1, azimuth, 20000, 3);
+        const double nit = double(luminance(model.luminance_nit(0.1f, float(azimuth))));
+        EXPECT_NEAR(nit / truth.value, 1.0, 0.08 + 3.0 * truth.standard_error / truth.value) << azimuth;
+    }
+}
+
 TEST(Sky, ItsSunFollowsTheEnvironment) {
     bake::Sky found = bake::sky_of(sky(30.0f), 16);
     ASSERT_TRUE(found.sun);
