@@ -151,20 +151,21 @@ Findings run() {
     ErrorStatistics illuminance, directions;
     compare(out, illuminance, directions);
     out.plots = {illuminance_plot(), zenith_plot()};
-    for (const double elevation : {60.0, 20.0, 3.0, -3.0, -6.0})
-        out.pictures.push_back(dome(elevation));
+    for (const double elevation : {60.0, 20.0, 3.0, -3.0, -6.0}) out.pictures.push_back(dome(elevation));
     // The disc's upper edge is seen on the horizon when its centre is 50 minutes of arc below.
     const double sunset = sky_lx(-0.83, 2.5), civil = sky_lx(-6.0, 2.5), nautical = sky_lx(-12.0, 2.5);
     out.text =
         "Without aerosol the model is within the walks' own error. With aerosol its error comes from "
-        "describing light that is "
-        "scattered more than once by its mean and first moment alone: too bright a zenith at a low sun, and "
-        "in twilight. "
-        "Twilight has the published illuminances. By day the sky of turbidity 2 is 10 % above the IES clear "
-        "day. The published "
-        "fits of the zenith are threefold apart; Karayel's is no brighter than air without any aerosol while "
-        "the sun is low, "
-        "Preetham's is brighter than this model at every height.";
+        "describing "
+        "light that is scattered more than once by its mean and first moment alone: too bright a zenith at a "
+        "low "
+        "sun, and in twilight. Twilight has the published illuminances. With the sun above 10 degrees the "
+        "IES "
+        "clear day lies between turbidity 1 and 2.5. The published fits of the zenith are two- to fourfold "
+        "apart; "
+        "Karayel's is no brighter than air without any aerosol while the sun is low, Preetham's is brighter "
+        "than "
+        "this model at every height.";
     out.measured = {
         at_most("illuminance over random walks, mean error", illuminance.mean(), 2.5, "%"),
         at_most("illuminance over random walks, largest error", illuminance.max(), 5.0, "%"),
