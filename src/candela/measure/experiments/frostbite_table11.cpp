@@ -138,7 +138,7 @@ Findings run() {
         "the sun gives " +
         fixed(constant_lx * sun.nearness, 0) +
         " lx outside the air in mid-July, and air without any aerosol leaves " + fixed(limit, 0) +
-        " lx at that elevation. Nor are the readings of one piece: at 17:00 the sun across its rays is 18 % "
+        " lx at that elevation. Nor are the readings of one piece: at 17:00 the sun across its rays is 21 % "
         "more than the level "
         "reading over the sine. The meter reads about " +
         fixed(100.0 * (both_ratio - 1.0), 0) +

@@ -93,7 +93,7 @@ Plot illuminance_plot() {
 Plot zenith_plot() {
     constexpr double turbidity = 2.5;
     Plot plot{"Luminance at the zenith, turbidity 2.5",
-              "The two fits are threefold apart. Air without aerosol is the least that a zenith can be.",
+              "The two fits are two- to fourfold apart. Air without aerosol is the least that a zenith can be.",
               {"sun's elevation, deg", 5.0, 60.0},
               {"cd/m^2", 0.0, 10000.0},
               {}};
