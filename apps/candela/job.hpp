@@ -46,6 +46,9 @@ struct JobOptions : SceneFileOptions {
     bool json = false;
 };
 
+/// --env and what goes with it.
+void add_environment_options(CLI::App& command, JobOptions& options);
+/// Those and the scene's files.
 void add_scene_options(CLI::App& command, JobOptions& options);
 void add_picture_options(CLI::App& command, JobOptions& options);
 void add_device_options(CLI::App& command, JobOptions& options);
@@ -60,6 +63,10 @@ struct Job {
     std::uint32_t height = 0;
     Diagnostics diagnostics;
 };
+
+/// Puts the environment that the command line asks for into the job's scene, else the stage's, else the
+/// studio where nothing else gives light; a sky with its sun. Throws Error.
+void set_environment(const JobOptions& options, const io::Stage& stage, Job& job);
 
 /// Loads and stages the scene; one that brings neither lights nor an environment gets the built-in studio, in
 /// every mode, so that their pictures can be compared. Throws Error.
