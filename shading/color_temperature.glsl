@@ -70,15 +70,19 @@ FN vec3 rec709_from_xyz(vec3 xyz) {
            xyz;
 }
 
-// Chromaticity to linear Rec.709 of luminance 1. Outside the gamut (black bodies under about 1900 K) the
-// colour is mixed with white of the same luminance until no channel is negative: luminance and, nearly, hue
-// stay. y > 0.
+// A colour that the gamut may not hold, as none of its channels negative: mixed with white of the same luminance until it
+// fits, so that luminance and, nearly, hue stay. luminance(c) > 0 or c = 0.
+FN vec3 rec709_into_gamut(vec3 c) {
+    float y = luminance(c);
+    float lowest = min(c.x, min(c.y, c.z));
+    float white = lowest < 0.0f ? lowest / (lowest - y) : 0.0f;
+    return max(mix(c, vec3(y), vec3(white)), vec3(0.0f));
+}
+
+// Chromaticity to linear Rec.709 of luminance 1, within the gamut (black bodies under about 1900 K are not). y > 0.
 FN vec3 rec709_from_xy(vec2 xy) {
     vec3 c = rec709_from_xyz(vec3(xy.x, xy.y, 1.0f - xy.x - xy.y) / xy.y);
-    c = c / luminance(c);
-    float lowest = min(c.x, min(c.y, c.z));
-    float white = lowest < 0.0f ? lowest / (lowest - 1.0f) : 0.0f;
-    return max(mix(c, vec3(1.0f), vec3(white)), vec3(0.0f));
+    return rec709_into_gamut(c / luminance(c));
 }
 
 // Incandescent light: linear Rec.709 with luminance 1.

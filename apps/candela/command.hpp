@@ -18,5 +18,6 @@ void add_bake(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_light(CLI::App& app, Action& action);
+void add_env(CLI::App& app, Action& action);
 
 }  // namespace candela::app

@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-struct InfoOptions : SceneFileOptions {
-    bool json = false;
-};
-
 const char* kind_name(gpu::DeviceKind kind) {
     switch (kind) {
         case gpu::DeviceKind::discrete:
@@ -46,9 +42,13 @@ json devices_json() {
     return list;
 }
 
-json scene_json(const InfoOptions& options) {
-    Diagnostics diagnostics;
-    const scene::Scene scene = load_staged_scene(options, diagnostics).scene;
+json scene_json(const JobOptions& options) {
+    Job job;
+    StagedScene staged = load_staged_scene(options, job.diagnostics);
+    job.scene = std::move(staged.scene);
+    // What a picture would have in its place, the studio, is not in the scene.
+    if (!options.environment.empty() || staged.stage.environment) set_environment(options, staged.stage, job);
+    const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},    {"triangles", scene::triangle_count(scene)},
              {"meshes", scene.meshes.size()}, {"instances", scene.instances.size()},
              {"materials", json::array()},    {"lights", json::array()},
@@ -61,11 +61,18 @@ json scene_json(const InfoOptions& options) {
     for (const scene::Material& m : scene.materials) out["materials"].push_back(m.name);
     for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light, scene));
     for (const scene::Camera& camera : scene.cameras) out["cameras"].push_back(camera.name);
+    if (scene.environment) {
+        const scene::Environment& e = *scene.environment;
+        out["environment"] = {{"name", e.name},
+                              {"width", e.width},
+                              {"height", e.height},
+                              {"upward_illuminance_lx", bake::upward_illuminance_lx(e)}};
+    }
     std::size_t texture_texels = 0;
     for (const scene::Image& image : scene.images) texture_texels += std::size_t{image.width} * image.height;
     out["images"] = scene.images.size();
     out["image_texels"] = texture_texels;
-    out["warnings"] = warnings_json(diagnostics);
+    out["warnings"] = warnings_json(job.diagnostics);
     return out;
 }
 
@@ -79,13 +86,19 @@ void print_scene(const json& s) {
     for (const json& light : s["lights"]) {
         for (const std::string& line : light_lines(light)) std::printf("%s\n", line.c_str());
     }
+    if (s.contains("environment")) {
+        const json& e = s["environment"];
+        std::printf("  environment %s, %ux%u, %.6g lx on an up-facing plane\n",
+                    e["name"].get<std::string>().c_str(), e["width"].get<unsigned>(),
+                    e["height"].get<unsigned>(), e["upward_illuminance_lx"].get<double>());
+    }
     for (const json& w : s["warnings"]) {
         std::printf("  warning  %s (%zu)\n", w["text"].get<std::string>().c_str(),
                     w["count"].get<std::size_t>());
     }
 }
 
-int info(const InfoOptions& options) {
+int info(const JobOptions& options) {
     json out{{"version", version()}};
     if (options.scene_file.empty()) {
         out["devices"] = devices_json();
@@ -110,9 +123,10 @@ int info(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app, Action& action) {
-    auto options = std::make_shared<InfoOptions>();
+    auto options = std::make_shared<JobOptions>();
     CLI::App* command = app.add_subcommand("info", "What is in a scene; without one, the devices");
     command->add_option("SCENE", options->scene_file, "A .gltf or .glb file");
+    add_environment_options(*command, *options);
     add_scene_file_options(*command, *options);
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return info(*options); }; });

@@ -7,9 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
+#include "candela/bake/sky.hpp"
+#include "candela/io/environment_read.hpp"
 #include "candela/io/image_read.hpp"
+#include "candela/scene/environment_sources.hpp"
 #include "candela/scene/error.hpp"
 #include "shading/tone_curves.glsl"
+#include "sky_option.hpp"
 
 namespace candela::app {
 namespace {
@@ -96,48 +100,33 @@ realtime::Profile load_profile(const std::string& name) {
     return profile;
 }
 
-/// The environment that the command line asks for, else the stage's, else the studio where nothing else gives
-/// light.
-void stage_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
-    float lux = 0.0f;  // 0: leave the scale as it is
-    if (stage.environment && !stage.environment->none) {
-        const io::StageEnvironment& e = *stage.environment;
-        job.scene.environment =
-            e.file.empty() ? bake::studio_environment() : io::read_environment(e.file, job.diagnostics);
-        job.scene.environment->scale = e.scale;
-        job.scene.environment->rotation_rad = e.rotation_rad;
-        job.scene.environment->visible = e.visible;
-        lux = e.illuminance_lx.value_or(0.0f);
-    }
-    const bool stage_says_none = stage.environment && stage.environment->none && options.environment.empty();
-    if (options.environment == "none" || stage_says_none) {
-        job.scene.environment.reset();
-        return;
-    }
-    if (options.environment == "studio") {
-        job.scene.environment = bake::studio_environment();
-    } else if (!options.environment.empty()) {
-        job.scene.environment = io::read_environment(options.environment, job.diagnostics);
-        lux = 0.0f;
-    }
-    if (!job.scene.environment && job.scene.lights.empty()) {
-        job.scene.environment = bake::studio_environment();
-        job.diagnostics.warn(
-            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
-    }
-    if (!job.scene.environment) return;
-    scene::Environment& e = *job.scene.environment;
-    if (options.env_scale) e.scale = *options.env_scale;
-    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
-    if (options.env_visible) e.visible = *options.env_visible;
-    if (options.env_lux) lux = *options.env_lux;
-    if (lux > 0.0f) {
-        e.scale = 1.0f;
-        const float now_lx = bake::upward_illuminance_lx(e);
-        if (!(now_lx > 0.0f))
-            throw input_error("the environment gives no light", e.name, "leave --env-lux out");
-        e.scale = lux / now_lx;
-    }
+/// A sky's picture as the environment; its sun goes with it.
+void set_sky(const scene::SkySettings& settings, Job& job, std::optional<scene::Light>& sun) {
+    bake::Sky sky = bake::sky_of(settings);
+    job.scene.environment = std::move(sky.environment);
+    sun = std::move(sky.sun);
+}
+
+/// What the stage says; returns the illuminance that it asks for, 0 to leave the scale as it is.
+float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun) {
+    if (e.sky)
+        set_sky(*e.sky, job, sun);
+    else
+        job.scene.environment = e.file.empty() ? bake::studio_environment()
+                                               : io::read_environment(e.file, job.diagnostics, e.options);
+    job.scene.environment->scale = e.scale;
+    job.scene.environment->rotation_rad = e.rotation_rad;
+    job.scene.environment->visible = e.visible;
+    return e.illuminance_lx.value_or(0.0f);
+}
+
+/// Scales an environment and its sun so that an up-facing plane receives this from both.
+void scale_to_illuminance(float lux, const std::optional<scene::Light>& sun, scene::Environment& e) {
+    e.scale = 1.0f;
+    float now_lx = bake::upward_illuminance_lx(e);
+    if (sun) now_lx += sun->intensity * std::max(-sun->direction.y, 0.0f);
+    if (!(now_lx > 0.0f)) throw input_error("the environment gives no light", e.name, "leave --env-lux out");
+    e.scale = lux / now_lx;
 }
 
 glm::vec3 vector_of(const std::vector<float>& v) {
@@ -205,9 +194,56 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 
 }  // namespace
 
+void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+    float lux = 0.0f;  // 0: leave the scale as it is
+    std::optional<scene::Light> sun;
+    const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
+    const bool stage_counts = options.environment.empty() && stage.environment;
+    if (options.environment == "none" || (stage_counts && stage.environment->none)) {
+        job.scene.environment.reset();
+        return;
+    }
+    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
+    if (sky)
+        set_sky(*sky, job, sun);
+    else if (options.environment == "studio")
+        job.scene.environment = bake::studio_environment();
+    else if (!options.environment.empty())
+        job.scene.environment =
+            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file));
+    if (!job.scene.environment && job.scene.lights.empty()) {
+        job.scene.environment = bake::studio_environment();
+        job.diagnostics.warn(
+            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
+    }
+    if (!job.scene.environment) return;
+    scene::Environment& e = *job.scene.environment;
+    if (options.env_scale) e.scale = *options.env_scale;
+    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
+    if (options.env_visible) e.visible = *options.env_visible;
+    if (options.env_lux) lux = *options.env_lux;
+    if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
+    if (sun) {
+        bake::follow_environment(*sun, e);
+        job.scene.lights.push_back(std::move(*sun));
+        return;
+    }
+    const bool stage_keeps = stage_counts && stage.environment->keep_sun;
+    if (!options.env_keep_sun && !stage_keeps) (void)scene::split_sun(job.scene);
+}
+
 void add_scene_options(CLI::App& command, JobOptions& o) {
     add_scene_file_options(command, o);
-    command.add_option("--env", o.environment, "Environment: FILE.hdr, FILE.exr, studio or none");
+    add_environment_options(command, o);
+}
+
+void add_environment_options(CLI::App& command, JobOptions& o) {
+    command.add_option("--env", o.environment,
+                       "Environment: .hdr, .exr, .ktx2, .dds, a folder of cube faces, NAME_{face}.exr, sky, "
+                       "sky:KEY=VALUE,..., studio or none");
+    add_environment_file_options(command, o.env_file);
+    command.add_flag("--env-keep-sun", o.env_keep_sun,
+                     "Leave a sun in the environment instead of making it a light that casts a shadow");
     command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
     command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
     command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx");
@@ -259,7 +295,7 @@ Job prepare(const JobOptions& options) {
     StagedScene staged = load_staged_scene(options, job.diagnostics);
     job.scene = std::move(staged.scene);
     const io::Stage& stage = staged.stage;
-    stage_environment(options, stage, job);
+    set_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
     job.exposure = choose_exposure(options, stage);
     return job;

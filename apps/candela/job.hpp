@@ -11,6 +11,7 @@
 #include "candela/realtime/renderer.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
+#include "environment_option.hpp"
 #include "scene_files.hpp"
 #include "shadow_option.hpp"
 
@@ -23,6 +24,8 @@ struct JobOptions : SceneFileOptions {
     std::optional<float> env_rotate_deg;
     std::optional<float> env_lux;
     std::optional<bool> env_visible;
+    EnvironmentFileOptions env_file;
+    bool env_keep_sun = false;
     std::string size = "1280x720";
     std::string camera;
     std::vector<float> look_from;
@@ -43,6 +46,9 @@ struct JobOptions : SceneFileOptions {
     bool json = false;
 };
 
+/// --env and what goes with it.
+void add_environment_options(CLI::App& command, JobOptions& options);
+/// Those and the scene's files.
 void add_scene_options(CLI::App& command, JobOptions& options);
 void add_picture_options(CLI::App& command, JobOptions& options);
 void add_device_options(CLI::App& command, JobOptions& options);
@@ -57,6 +63,10 @@ struct Job {
     std::uint32_t height = 0;
     Diagnostics diagnostics;
 };
+
+/// Puts the environment that the command line asks for into the job's scene, else the stage's, else the
+/// studio where nothing else gives light; a sky with its sun. Throws Error.
+void set_environment(const JobOptions& options, const io::Stage& stage, Job& job);
 
 /// Loads and stages the scene; one that brings neither lights nor an environment gets the built-in studio, in
 /// every mode, so that their pictures can be compared. Throws Error.

@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
     candela::app::add_convert(app, action);
     candela::app::add_validate(app, action);
     candela::app::add_light(app, action);
+    candela::app::add_env(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "candela/bake/environment.hpp"
+#include "candela/io/environment_read.hpp"
 #include "candela/io/gltf.hpp"
-#include "candela/io/image_read.hpp"
 #include "candela/io/stage.hpp"
 #include "candela/measure/comparison.hpp"
 #include "candela/realtime/renderer.hpp"

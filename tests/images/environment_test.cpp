@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "candela/io/environment_read.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_write.hpp"
 #include "image_files.hpp"

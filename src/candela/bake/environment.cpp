@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "candela/bake/octahedral_map.hpp"
+#include "candela/scene/environment_sources.hpp"
 #include "candela_shaders/prefilter_comp.hpp"
-#include "shading/environment.glsl"
 
 namespace candela::bake {
 namespace {
@@ -125,20 +125,7 @@ EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& 
 }
 
 float upward_illuminance_lx(const scene::Environment& e) {
-    double sum = 0.0;
-    for (std::uint32_t y = 0; y < e.height; ++y) {
-        // Exact over a row: the integral of cos(theta) sin(theta) between its edges, above the horizon.
-        const double top = std::min(0.5 * M_PI, M_PI * y / e.height);
-        const double bottom = std::min(0.5 * M_PI, M_PI * (y + 1.0) / e.height);
-        const double weight =
-            0.5 * (std::pow(std::sin(bottom), 2) - std::pow(std::sin(top), 2)) * 2.0 * M_PI / e.width;
-        double row = 0.0;
-        for (std::uint32_t x = 0; x < e.width; ++x) {
-            row += shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]);
-        }
-        sum += weight * row;
-    }
-    return static_cast<float>(sum * static_cast<double>(e.scale));
+    return static_cast<float>(scene::upward_illuminance_lx(e));
 }
 
 }  // namespace candela::bake

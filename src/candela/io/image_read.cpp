@@ -1,14 +1,10 @@
 #include "candela/io/image_read.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 
-#include "candela/io/exr_read.hpp"
-#include "candela/io/hdr_read.hpp"
 #include "candela/io/image_read_codecs.hpp"
 #include "candela/io/image_read_limits.hpp"
 #include "candela/scene/error.hpp"
@@ -17,8 +13,6 @@ namespace candela::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_environment_bytes = std::size_t{1} << 31;
 
 bool starts_with(std::span<const std::byte> bytes, std::string_view magic, std::size_t offset = 0) {
     return bytes.size() >= offset + magic.size() &&
@@ -30,32 +24,6 @@ std::ifstream open(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw input_error(std::string("cannot be read: ") + std::strerror(errno), file.string());
     return stream;
-}
-
-/// read_environment's promise about texels that are no luminance.
-void sanitize(scene::Environment& environment, Diagnostics& diagnostics) {
-    float largest = 0.0f;
-    bool below = false, infinite = false;
-    for (const glm::vec3& texel : environment.luminance_nit) {
-        for (int c = 0; c < 3; ++c) {
-            if (std::isfinite(texel[c])) largest = std::max(largest, texel[c]);
-            infinite = infinite || (std::isinf(texel[c]) && texel[c] > 0.0f);
-            below = below || !(texel[c] >= 0.0f);
-        }
-    }
-    if (below) diagnostics.warn(environment.name + ": negative or undefined luminance became 0");
-    if (infinite)
-        diagnostics.warn(environment.name + ": infinite luminance became the largest finite of the map");
-    if (!below && !infinite) return;
-    for (glm::vec3& texel : environment.luminance_nit) {
-        for (int c = 0; c < 3; ++c) texel[c] = texel[c] >= 0.0f ? std::min(texel[c], largest) : 0.0f;
-    }
-}
-
-void warn_about_shape(const scene::Environment& environment, Diagnostics& diagnostics) {
-    if (environment.width == 2 * environment.height) return;
-    diagnostics.warn(environment.name +
-                     ": an equirectangular picture is twice as wide as high; this one is stretched");
 }
 
 }  // namespace
@@ -112,26 +80,6 @@ scene::Image decode_image(std::span<const std::byte> bytes, const std::string& w
     if (starts_with(bytes, "\xff\xd8\xff")) return detail::decode_jpeg(bytes, where);
     if (starts_with(bytes, "RIFF") && starts_with(bytes, "WEBP", 8)) return detail::decode_webp(bytes, where);
     throw input_error(bytes.empty() ? "the picture is empty" : "not a PNG, JPEG or WebP picture", where);
-}
-
-scene::Environment read_environment(const fs::path& file, Diagnostics& diagnostics) {
-    std::array<std::byte, 4> magic{};
-    std::ifstream stream = open(file);
-    stream.read(reinterpret_cast<char*>(magic.data()), magic.size());
-    stream.close();
-    scene::Environment environment;
-    if (starts_with(magic, "\x76\x2f\x31\x01")) {
-        environment = detail::read_exr_environment(file, diagnostics);
-    } else if (starts_with(magic, "#?")) {
-        environment = detail::decode_hdr(read_file(file, max_environment_bytes), file.string(), diagnostics);
-    } else {
-        throw input_error("not a Radiance .hdr or OpenEXR picture", file.string(),
-                          "an environment holds luminance in cd/m^2, equirectangular");
-    }
-    environment.name = file.filename().string();
-    sanitize(environment, diagnostics);
-    warn_about_shape(environment, diagnostics);
-    return environment;
 }
 
 const std::vector<float>* FloatImage::find(const std::string& channel) const {

@@ -18,11 +18,6 @@ namespace candela::io {
 /// messages.
 [[nodiscard]] scene::Image decode_image(std::span<const std::byte> bytes, const std::string& where);
 
-/// Reads an equirectangular .hdr or .exr (by content) as luminance in cd/m^2. NaN and negative texels become
-/// 0 with a warning, infinite ones are the largest finite value of the map; nothing else is clamped.
-[[nodiscard]] scene::Environment read_environment(const std::filesystem::path& file,
-                                                  Diagnostics& diagnostics);
-
 /// A layer picture as written by write_exr, or any EXR: 32 bit float channels by full name ("R", "albedo.R").
 struct FloatImage {
     std::uint32_t width = 0;

@@ -13,6 +13,18 @@ namespace {
 
 using nlohmann::json;
 
+scene::SkySettings read_sky(const json& value, const std::string& where) {
+    scene::SkySettings sky;
+    std::map<std::string, StageObject::Handler> handlers;
+    for (const scene::SkySetting& setting : scene::kSkySettings) {
+        handlers[setting.key] = [&sky, &setting](const json& v, const std::string& at) {
+            sky.*setting.value = stage_number(v, at, setting.low, setting.high, setting.range);
+        };
+    }
+    const StageObject object(value, where, handlers);
+    return sky;
+}
+
 StageEnvironment read_environment_entry(const json& value, const std::string& where,
                                         const std::filesystem::path& folder) {
     StageEnvironment e;
@@ -21,6 +33,7 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
         value, where,
         {{"file", [&](const json& v,
                       const std::string& at) { e.file = inside_folder(folder, stage_text(v, at), at); }},
+         {"sky", [&](const json& v, const std::string& at) { e.sky = read_sky(v, at); }},
          {"studio", [&](const json& v, const std::string& at) { studio = stage_boolean(v, at); }},
          {"none", [&](const json& v, const std::string& at) { e.none = stage_boolean(v, at); }},
          {"scale", [&](const json& v,
@@ -32,9 +45,20 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
           }},
          {"illuminance_lx",
           [&](const json& v, const std::string& at) { e.illuminance_lx = stage_positive(v, at); }},
+         {"layout",
+          [&](const json& v, const std::string& at) {
+              e.options.layout = static_cast<EnvironmentLayout>(
+                  stage_choice(v, at, {"auto", "equirect", "cross", "octahedral"}));
+          }},
+         {"cube",
+          [&](const json& v, const std::string& at) {
+              e.options.cube_space =
+                  static_cast<scene::CubeSpace>(stage_choice(v, at, {"direct", "picture"}));
+          }},
+         {"keep_sun", [&](const json& v, const std::string& at) { e.keep_sun = stage_boolean(v, at); }},
          {"visible", [&](const json& v, const std::string& at) { e.visible = stage_boolean(v, at); }}});
-    if ((e.file.empty() ? 0 : 1) + (studio ? 1 : 0) + (e.none ? 1 : 0) != 1) {
-        throw input_error("needs one of a file, \"studio\": true and \"none\": true", where,
+    if ((e.file.empty() ? 0 : 1) + (e.sky ? 1 : 0) + (studio ? 1 : 0) + (e.none ? 1 : 0) != 1) {
+        throw input_error("needs one of a file, a sky, \"studio\": true and \"none\": true", where,
                           "{\"file\": \"sky.exr\"}");
     }
     return e;

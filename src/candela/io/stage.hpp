@@ -4,17 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "candela/io/environment_read.hpp"
 #include "candela/io/stage_lights.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
+#include "candela/scene/sky.hpp"
 
 namespace candela::io {
 
 /// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the
 /// stage's folder and must stay inside it.
 struct StageEnvironment {
-    std::filesystem::path file;  ///< .hdr or .exr; empty: the built-in studio, or none
-    bool none = false;           ///< no environment at all
+    std::filesystem::path file;  ///< as read_environment takes it; empty: sky, the built-in studio, or none
+    EnvironmentOptions options;
+    std::optional<scene::SkySettings> sky;
+    bool keep_sun = false;  ///< a sun stays in the picture
+    bool none = false;      ///< no environment at all
     float scale = 1.0f;
     float rotation_rad = 0.0f;
     std::optional<float> illuminance_lx;  ///< scale so that the up-facing illuminance is this

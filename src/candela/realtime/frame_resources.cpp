@@ -47,7 +47,7 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.environment.background.view(), frame.repeat_u.get()),
             gpu::bind_buffer(frame.integrate_tables.buffer),
             gpu::bind_buffer(frame.light_lists),
-            gpu::bind_buffer(scene.profiles),
+            gpu::bind_buffer(scene.light_tables),
             gpu::bind_sampled(frame.ltc.view(), frame.clamp.get()),
             gpu::bind_buffer(frame.shadow_records),
             gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get())};
@@ -56,7 +56,7 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
     commands.use(scene.lights, gpu::Use::storage_read);
     commands.use(frame.light_lists, gpu::Use::storage_read);
-    commands.use(scene.profiles, gpu::Use::storage_read);
+    commands.use(scene.light_tables, gpu::Use::storage_read);
     commands.use(frame.ltc, gpu::Use::sampled);
     commands.use(frame.dfg, gpu::Use::sampled);
     commands.use(frame.environment.specular, gpu::Use::sampled);

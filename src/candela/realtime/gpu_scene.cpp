@@ -237,7 +237,7 @@ void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands)
     light_count = static_cast<std::uint32_t>(light_list.blocks.size());
     lights = upload(light_list.blocks);
     light_reaches = upload(light_list.reaches);
-    profiles = upload(light_list.profile_cd);
+    light_tables = upload(light_list.tables);
 }
 
 void GpuScene::link_shadows(const gpu::Device& device, gpu::Commands& commands,

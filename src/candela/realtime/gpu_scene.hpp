@@ -87,7 +87,7 @@ class GpuScene {
     LightList light_list;
     gpu::Buffer lights;         ///< storage, LightList::blocks
     gpu::Buffer light_reaches;  ///< storage, LightList::reaches
-    gpu::Buffer profiles;       ///< storage, LightList::profile_cd
+    gpu::Buffer light_tables;   ///< storage, LightList::tables
     std::uint32_t light_count = 0;
     std::uint32_t visible_shapes = 0;  ///< lights that the camera sees as what they are
     std::vector<Draw> draws;

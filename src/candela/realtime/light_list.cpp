@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "candela/realtime/emissive_lights.hpp"
+#include "candela/realtime/light_images.hpp"
 #include "candela/scene/photometric.hpp"
-#include "shading/transfer.glsl"
 
 namespace candela::realtime {
 namespace {
@@ -54,14 +55,14 @@ bool everywhere(const LightReach& reach) {
     return reach.ball.w > kUnlimited_m && reach.cone.w < 0.0f;
 }
 
-/// Where each profile begins in the list of all tables, and its size as links.w has it.
-struct ProfilePlace {
+/// Where a table begins among all, and its size as links.w has it.
+struct TablePlace {
     int first = 0;
     int size = 0;
 };
 
-std::vector<ProfilePlace> place_profiles(const scene::Scene& scene, std::vector<float>& table) {
-    std::vector<ProfilePlace> places;
+std::vector<TablePlace> place_profiles(const scene::Scene& scene, std::vector<float>& table) {
+    std::vector<TablePlace> places;
     for (const scene::PhotometricProfile& profile : scene.profiles) {
         const scene::PhotometricGrid grid = scene::fitting_grid(profile);
         const std::vector<float> cd = scene::resample(profile, grid.width, grid.height);
@@ -71,18 +72,20 @@ std::vector<ProfilePlace> place_profiles(const scene::Scene& scene, std::vector<
     return places;
 }
 
-/// Linear mean of a picture: what a rectangle that shows it gives from afar.
-glm::vec3 mean_color(const scene::Image& image) {
-    glm::dvec3 sum(0.0);
-    const std::size_t texels = image.rgba.size() / 4;
-    for (std::size_t i = 0; i < texels; ++i) {
-        const glm::vec3 code(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]);
-        sum += glm::dvec3(shading::linear_from_srgb(code / 255.0f));
+/// Puts each picture that a rectangle shows behind the tables once; place.size: its texels a side.
+std::map<std::uint32_t, TablePlace> place_images(const scene::Scene& scene, std::vector<float>& table) {
+    std::map<std::uint32_t, TablePlace> places;
+    for (const scene::Light& light : scene.lights) {
+        if (light.type != scene::LightType::rectangle || light.image >= scene.images.size()) continue;
+        if (places.contains(light.image)) continue;
+        const ImagePyramid pyramid = image_pyramid(scene.images[light.image]);
+        places[light.image] = {static_cast<int>(table.size()), pyramid.size};
+        table.insert(table.end(), pyramid.rgb.begin(), pyramid.rgb.end());
     }
-    return texels > 0 ? glm::vec3(sum / static_cast<double>(texels)) : glm::vec3(1.0f);
+    return places;
 }
 
-Row row_of(const scene::Light& light, std::uint32_t source, const std::vector<ProfilePlace>& profiles) {
+Row row_of(const scene::Light& light, std::uint32_t source, const std::vector<TablePlace>& profiles) {
     Row row{light_block(light), reach_of(light), source};
     if (has_profile(light) && light.profile < profiles.size()) {
         row.block.color_type.w = static_cast<float>(LightKind::photometric);
@@ -108,13 +111,16 @@ Row emissive_row(const LightBlock& block) {
 
 LightList light_list(const scene::Scene& scene, bool with_emissive) {
     LightList list;
-    const std::vector<ProfilePlace> profiles = place_profiles(scene, list.profile_cd);
+    const std::vector<TablePlace> profiles = place_profiles(scene, list.tables);
+    const std::map<std::uint32_t, TablePlace> images = place_images(scene, list.tables);
     std::vector<Row> rows;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        scene::Light light = scene.lights[i];
-        if (light.type == scene::LightType::rectangle && light.image < scene.images.size())
-            light.color *= mean_color(scene.images[light.image]);
+        const scene::Light& light = scene.lights[i];
         rows.push_back(row_of(light, i, profiles));
+        if (light.type != scene::LightType::rectangle || !images.contains(light.image)) continue;
+        rows.back().block.links.y = images.at(light.image).first;
+        rows.back().block.links.w = images.at(light.image).size;
+        list.kinds |= kLightImages;
     }
     if (with_emissive) {
         for (const EmissiveLight& light : emissive_lights(scene)) {
@@ -144,8 +150,8 @@ std::vector<std::uint32_t> shape_lights(const LightList& list) {
     for (std::uint32_t i = 0; i < list.blocks.size(); ++i) {
         const LightBlock& block = list.blocks[i];
         const auto type = static_cast<scene::LightType>(block.color_type.w);
-        if (list.sources[i] != scene::no_index && scene::is_shape(type) && type <= scene::LightType::rectangle &&
-            (block.links.x & visible) != 0)
+        if (list.sources[i] != scene::no_index && scene::is_shape(type) &&
+            type <= scene::LightType::rectangle && (block.links.x & visible) != 0)
             shapes.push_back(i);
     }
     return shapes;

@@ -32,6 +32,9 @@ inline constexpr std::uint32_t kAreaKinds = kind_bit(LightKind::line) | kind_bit
                                             kind_bit(LightKind::rectangle) | kind_bit(LightKind::tube) |
                                             kind_bit(LightKind::triangle);
 
+/// Of LightList::kinds: some rectangle shows a picture.
+inline constexpr std::uint32_t kLightImages = 1u << 16u;
+
 /// All that a light reaches, std430 layout of shaders/cull_lights.comp.glsl: within the ball and within the
 /// cone from its centre. A one-sided disk or rectangle has the cone of 90 degrees.
 struct LightReach {
@@ -47,9 +50,10 @@ struct LightList {
     /// Of each the index into Scene::lights, after those into emissive_shapes; no_index: emissive triangles.
     std::vector<std::uint32_t> sources;
     std::vector<scene::Light> emissive_shapes;
-    std::vector<float> profile_cd;  ///< the tables of all profiles, one after the other
-    std::uint32_t kinds = 0;        ///< kind_bit() of every kind that occurs
-    std::uint32_t bounded = 0;      ///< lights that do not reach everywhere
+    /// The tables of all profiles in cd, then the pictures that rectangles show, one after the other.
+    std::vector<float> tables;
+    std::uint32_t kinds = 0;    ///< kind_bit() of every kind that occurs, and kLightImages
+    std::uint32_t bounded = 0;  ///< lights that do not reach everywhere
 };
 
 /// with_emissive: emissive surfaces give light too (emissive_lights.hpp).

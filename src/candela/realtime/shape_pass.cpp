@@ -7,7 +7,8 @@
 namespace candela::realtime {
 
 ShapePass::ShapePass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene)
-    : layout_(device, {{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}},
+    : layout_(device, {{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}},
                        sizeof(std::uint32_t)}),
       shapes_(shape_lights(scene.light_list)) {
     if (shapes_.empty()) return;
@@ -27,7 +28,9 @@ void ShapePass::record(gpu::Commands& commands, FrameResources& frame, GpuScene&
     if (shapes_.empty()) return;
     commands.begin_pass("shapes of lights");
     commands.use(scene.lights, gpu::Use::storage_read);
-    const std::array bindings{gpu::bind_buffer(frame.frame_block), gpu::bind_buffer(scene.lights)};
+    commands.use(scene.light_tables, gpu::Use::storage_read);
+    const std::array bindings{gpu::bind_buffer(frame.frame_block), gpu::bind_buffer(scene.lights),
+                              gpu::bind_buffer(scene.light_tables)};
     const VkDescriptorSet set = commands.descriptors().allocate(layout_, 0, bindings);
     std::vector<gpu::ColorTarget> targets{{&frame.gbuffer}, {&frame.light}};
     if (frame.all_targets) targets.push_back({&frame.ids});

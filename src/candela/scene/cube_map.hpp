@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -23,7 +24,22 @@ struct CubeMap {
 enum class RoughnessMapping : std::uint8_t {
     linear,     ///< level / (levels - 1) is the perceptual roughness
     frostbite,  ///< level / (levels - 1) is its square root: Frostbite 4.9.2, equation 63
+    filament,   ///< level / (levels - 1) is r (2 - r): Filament's shaders, whose bakes this is for
 };
+
+/// Perceptual roughness that level `level` of `levels` stands for.
+[[nodiscard]] inline float perceptual_roughness_of_level(RoughnessMapping mapping, std::uint32_t level,
+                                                         std::uint32_t levels) noexcept {
+    const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0f;
+    switch (mapping) {
+        case RoughnessMapping::frostbite:
+            return t * t;
+        case RoughnessMapping::filament:
+            return 1.0f - std::sqrt(1.0f - t);
+        default:
+            return t;
+    }
+}
 
 /// A distant light as others take it: filtered for glossy and matt surfaces. A value times nit_per_unit is
 /// cd/m^2.

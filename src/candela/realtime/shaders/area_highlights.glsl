@@ -2,14 +2,17 @@
 #ifndef CANDELA_AREA_HIGHLIGHTS_GLSL
 #define CANDELA_AREA_HIGHLIGHTS_GLSL
 
-float area_ltc(uint group, mat3 m, vec3 n, vec3 v, AreaLight a) {
+vec3 area_ltc(uint group, Light light, mat3 m, vec3 n, vec3 v, AreaLight a) {
     LtcFrame lobe = ltc_frame(m, n, v);
     if (group == kPolygons) {
-        return ltc_quad(lobe, lobe.to_cosine * a.outline[0], lobe.to_cosine * a.outline[1],
-                        lobe.to_cosine * a.outline[2], lobe.to_cosine * a.outline[3]);
+        vec3 p0 = lobe.to_cosine * a.outline[0];
+        vec3 p1 = lobe.to_cosine * a.outline[1];
+        vec3 p2 = lobe.to_cosine * a.outline[2];
+        vec3 p3 = lobe.to_cosine * a.outline[3];
+        return picture_seen(group, light, a.turned, kCosineNormal, p0, p1, p2, p3) * ltc_quad(lobe, p0, p1, p2, p3);
     }
-    if (group == kCapsules) return ltc_capsule(lobe, a.to_center_m, a.right, a.half_width_m, a.radius_m);
-    return ltc_ellipse(lobe, a.outline[0], a.outline[1], a.outline[2]);
+    if (group == kCapsules) return vec3(ltc_capsule(lobe, a.to_center_m, a.right, a.half_width_m, a.radius_m));
+    return vec3(ltc_ellipse(lobe, a.outline[0], a.outline[1], a.outline[2]));
 }
 
 // The point that stands for the light in a lobe about `mirror`, and the lobe's normalization.
@@ -66,24 +69,25 @@ struct AreaLobe {
     vec3 f90;
 };
 
-vec3 area_highlight(uint group, int kind, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
+vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
     vec3 sum = vec3(0.0);
     if (kAreaSpecular == kAreaSpecularLtc) {
         // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
         // other words).
-        sum = lobe.albedo * area_ltc(group, lobe.ltc, lobe.n, p.v, a);
+        sum = lobe.albedo * area_ltc(group, light, lobe.ltc, lobe.n, p.v, a);
         if (!is_kind(kind, kLightSun) || lobe.alpha < kSunImageAlpha) return sum;
     }
     vec3 l;
     float value = area_highlight_lobe(group, kind, a, lobe.n, p.v, lobe.alpha, l);
     float LoH = saturate(dot(l, normalize(p.v + l)));
-    return specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
+    vec3 mean = kLightPictures && group == kPolygons ? read_picture(light, vec3(0.5, 0.5, 1.0)) : vec3(1.0);
+    return mean * specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
 }
 
 // The highlight, per unit of AreaLight::nit. Returns the lx per such unit on the base. An anisotropic base has its highlight
 // from area lights as an isotropic one of the same roughness. The coat is a second turn of a loop, so that the code is there
-// once.
-float area_highlights(uint group, int kind, SurfacePoint p, AreaLight a, out vec3 specular) {
+// once. A rectangle's picture is in it as LTC sees it; the other techniques take its mean.
+float area_highlights(uint group, int kind, Light light, SurfacePoint p, AreaLight a, out vec3 specular) {
     AreaLobe lobe;
     lobe.ltc = p.area.ltc;
     lobe.n = p.g.normal;
@@ -96,7 +100,7 @@ float area_highlights(uint group, int kind, SurfacePoint p, AreaLight a, out vec
     const int lobes = kShadeLayers ? 2 : 1;
     for (int i = 0; i < lobes; ++i) {
         float lx = area_illuminance(group, kind, lobe.n, a);
-        specular += area_highlight(group, kind, p, lobe, a, lx);
+        specular += area_highlight(group, kind, light, p, lobe, a, lx);
         base_lx = i == 0 ? lx : base_lx;
         if (kShadeLayers) {
             lobe.ltc = p.area.coat_ltc;

@@ -39,7 +39,10 @@ const uint kAreaKinds = (1u << kLightLine) | (1u << kLightTube) | (1u << kLightS
 const float kLineRadius_m = 0.5 * kPunctualMinDistance_m;
 
 // Rougher than this the sun is a direction to the lobe, narrower it is an image.
-const float kSunImageAlpha = 0.01;
+const float kSunImageAlpha = 0.02;
+
+// C++: kLightImages.
+const bool kLightPictures = (kLightKinds & (1u << 16u)) != 0u;
 
 // False at compile time where the scene has no light of the kind.
 bool is_kind(int kind, int which) { return (kLightKinds & (1u << uint(which))) != 0u && kind == which; }
@@ -56,13 +59,15 @@ struct AreaLight {
     float radius_m;
     float area_m2;  // of polygons
     float extent2;  // polygon_projected_solid_angle's
+    bool turned;    // it shows its back
     // What the receiver sees of it. Of polygons the corners in rectangle_corners' order; of ellipses (x, y, z) the centre and
     // two conjugate radii.
     vec3 outline[4];
 };
 
 void turn_to_receiver(Light light, inout AreaLight a) {
-    if (dot(a.direction, a.to_center_m) > 0.0) {
+    a.turned = dot(a.direction, a.to_center_m) > 0.0;
+    if (a.turned) {
         if ((light.links.x & kLightTwoSided) == 0) a.nit = vec3(0.0);
         a.direction = -a.direction;
     }
@@ -76,12 +81,10 @@ void place_triangle(Light light, vec3 position, inout AreaLight a) {
     float area2_m2 = length(twice_area);
     a.direction = twice_area / max(area2_m2, 1.0e-20);
     a.to_center_m = p;  // any point of the plane tells the side
-    vec3 front = a.direction;
     turn_to_receiver(light, a);
-    bool turned = dot(front, a.direction) < 0.0;
     a.outline[0] = p;
-    a.outline[1] = turned ? q : r;
-    a.outline[2] = turned ? r : q;
+    a.outline[1] = a.turned ? q : r;
+    a.outline[2] = a.turned ? r : q;
     a.outline[3] = a.outline[2];
     a.to_center_m = (p + q + r) * (1.0 / 3.0);
     a.area_m2 = 0.5 * area2_m2;
@@ -227,19 +230,30 @@ float highlight_nit(int kind, AreaLight a) {
     return is_kind(kind, kLightLine) ? 1.0 / tube_projected_area(kLineRadius_m, 2.0 * a.half_width_m) : 1.0;
 }
 
+#include "light_pictures.glsl"
+
+// What a picture makes of a lobe: the cosine about `axis` sees the corners. From behind it is that of the front, seen through.
+vec3 picture_seen(uint group, Light light, bool turned, vec3 axis, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
+    if (!kLightPictures || group != kPolygons) return vec3(1.0);
+    vec3 spot = rectangle_image_spot(axis, p0, p1, p2, p3);
+    return read_picture(light, vec3(spot.x, turned ? 1.0 - spot.y : spot.y, spot.z));
+}
+
 #include "area_highlights.glsl"
 
 void add_area_light(uint group, int kind, Light light, SurfacePoint p, inout Lit lit) {
     AreaLight a = area_light(group, kind, light, p.position);
     vec3 specular;
-    float lx_per_nit = area_highlights(group, kind, p, a, specular);
+    float lx_per_nit = area_highlights(group, kind, light, p, a, specular);
     vec3 l = area_direction(group, kind, p.g.normal, a);
     vec3 h = normalize(p.v + l);
     float NoL = saturate(dot(p.g.normal, l));
     float lobe = diffuse_lobe(techniques(), p.NoV, NoL, saturate(dot(l, h)), p.g.surface.perceptual_roughness);
-    vec3 diffuse = p.prepared.diffuse * (p.area.under_layers * lobe * lx_per_nit);
+    vec3 seen = picture_seen(group, light, a.turned, p.g.normal, a.outline[0], a.outline[1], a.outline[2],
+                             a.outline[3]);
+    vec3 diffuse = seen * p.prepared.diffuse * (p.area.under_layers * lobe * lx_per_nit);
     if (kShadeLayers) {
-        specular += p.g.surface.sheen_color *
+        specular += seen * p.g.surface.sheen_color *
                     (lx_per_nit * p.area.under_coat *
                      evaluate_sheen(p.NoV, NoL, saturate(dot(p.g.normal, h)), p.g.surface.sheen_perceptual_roughness));
     }

@@ -14,8 +14,8 @@ struct Light {
     vec4 right_b;         // unit; w by kind: spot cosine of the outer half angle, frustum tangent of half the vertical
                           //   angle, rectangle half height in m, sphere, disk, tube radius in m, sun angular radius in rad.
                           // A triangle: its third corner in m
-    ivec4 links;          // x kLightTwoSided | ..., y first number of the profile or layer of the image, z shadow,
-                          //   w width | height << 16 of the profile; -1: none
+    ivec4 links;          // x kLightTwoSided | ..., y first number of the profile's table or the picture's, -1: none, z shadow,
+                          //   -1: none, w width | height << 16 of the profile, texels a side of the picture
 };
 
 // C++: LightKind in light_list.hpp; the first ten are those of scene::LightType.

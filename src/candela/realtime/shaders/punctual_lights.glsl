@@ -9,8 +9,8 @@ float profile_intensity(Light light, vec3 l) {
     vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
     vec3 local = vec3(-dot(l, light.right_b.xyz), -dot(l, up), dot(l, light.direction_a.xyz));
     PhotometricTaps taps = photometric_taps(local, light.links.w & 0xffff, light.links.w >> 16);
-    vec4 cd = vec4(profile_cd[light.links.y + taps.index.x], profile_cd[light.links.y + taps.index.y],
-                   profile_cd[light.links.y + taps.index.z], profile_cd[light.links.y + taps.index.w]);
+    vec4 cd = vec4(light_tables[light.links.y + taps.index.x], light_tables[light.links.y + taps.index.y],
+                   light_tables[light.links.y + taps.index.z], light_tables[light.links.y + taps.index.w]);
     return dot(cd, taps.weight);
 }
 

@@ -39,7 +39,7 @@ layout(set = 0, binding = 3) uniform sampler2D specular_map_ld;
 layout(set = 0, binding = 4) uniform sampler2D irradiance_map;
 layout(set = 0, binding = 5) uniform sampler2D background_map;
 layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_entries[]; };
-layout(set = 0, binding = 8, std430) readonly buffer Profiles { float profile_cd[]; };
+layout(set = 0, binding = 8, std430) readonly buffer LightTables { float light_tables[]; };
 layout(set = 0, binding = 9) uniform sampler2D ltc_table;
 // Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
 const int kShadingBindings = 12;

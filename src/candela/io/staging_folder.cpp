@@ -1,0 +1,79 @@
+#include "candela/io/staging_folder.hpp"
+
+#include <unistd.h>
+
+#include "candela/scene/error.hpp"
+
+namespace candela::io::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error folder_error(const std::error_code& failure, const fs::path& folder) {
+    const bool disk = failure == std::errc::no_space_on_device || failure == std::errc::io_error;
+    return {disk ? Fault::machine : Fault::input, "cannot be made: " + failure.message(), folder.string()};
+}
+
+/// The outermost folder of a path that does not exist.
+fs::path first_missing(const fs::path& folder) {
+    fs::path missing;
+    for (fs::path p = folder; !p.empty() && !fs::exists(fs::symlink_status(p)); p = p.parent_path())
+        missing = p;
+    return missing;
+}
+
+}  // namespace
+
+StagingFolder::StagingFolder(const fs::path& folder) : folder_(folder.empty() ? "." : folder) {
+    std::error_code failure;
+    if (!folder_.has_filename() && folder_.has_parent_path()) folder_ = folder_.parent_path();
+    if (fs::exists(folder_) && !fs::is_directory(folder_))
+        throw input_error("is not a folder", folder_.string());
+    made_ = first_missing(folder_);
+    fs::create_directories(folder_, failure);
+    if (failure) throw folder_error(failure, folder_);
+    constexpr int most_attempts = 1000;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        temporary_ =
+            folder_ / (".candela-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".part");
+        if (fs::create_directory(temporary_, failure)) return;
+        if (failure) break;
+    }
+    const Error error =
+        folder_error(failure ? failure : std::make_error_code(std::errc::file_exists), folder_);
+    temporary_.clear();
+    if (!made_.empty()) fs::remove_all(made_, failure);
+    throw error;
+}
+
+StagingFolder::~StagingFolder() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+    if (!committed_ && !made_.empty()) fs::remove_all(made_, ignored);
+}
+
+fs::path StagingFolder::file(const std::string& name) {
+    names_.push_back(name);
+    return temporary_ / name;
+}
+
+std::vector<fs::path> StagingFolder::commit() {
+    std::vector<fs::path> done, fresh;
+    for (const std::string& name : names_) {
+        const fs::path target = folder_ / name;
+        std::error_code failure;
+        const bool was_there = fs::exists(fs::symlink_status(target));
+        fs::rename(temporary_ / name, target, failure);
+        if (failure) {
+            std::error_code ignored;
+            for (const fs::path& file : fresh) fs::remove(file, ignored);
+            throw Error(Fault::input, "cannot be written: " + failure.message(), target.string());
+        }
+        done.push_back(target);
+        if (!was_there) fresh.push_back(target);
+    }
+    committed_ = true;
+    return done;
+}
+
+}  // namespace candela::io::detail
