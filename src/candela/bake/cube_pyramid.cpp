@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "candela/bake/directions.hpp"
 #include "shading/cube.glsl"
 #include "shading/environment_filter.glsl"
 
@@ -54,43 +55,10 @@ glm::dvec3 cube_energy(const scene::CubeMap& cube) {
     return sum;
 }
 
-CubePyramid::CubePyramid(const EquirectLight& light, std::uint32_t size) {
-    Level base(size);
-    // Parts of a texel no wider than half a texel of the map.
-    const float parts_wanted =
-        std::ceil(4.0f / static_cast<float>(size) * static_cast<float>(light.height) / shading::PI);
-    const int parts = static_cast<int>(std::clamp(parts_wanted, 2.0f, 16.0f));
-    const float scale = 1.0f / static_cast<float>(size);
-    const float c = std::cos(light.rotation_rad);
-    const float s = std::sin(light.rotation_rad);
-    tbb::parallel_for(0u, 6 * size, [&](std::uint32_t row) {
-        const int face = static_cast<int>(row / size);
-        const int y = static_cast<int>(row % size);
-        for (int x = 0; x < static_cast<int>(size); ++x) {
-            glm::vec4 sum(0.0f);
-            float weight = 0.0f;
-            for (int part = 0; part < parts * parts; ++part) {
-                const float u = static_cast<float>(x) +
-                                (static_cast<float>(part % parts) + 0.5f) / static_cast<float>(parts);
-                const float v = static_cast<float>(y) +
-                                (static_cast<float>(part / parts) + 0.5f) / static_cast<float>(parts);
-                const glm::vec3 p = shading::cube_point(face, {u * scale, v * scale});
-                const float length2 = glm::dot(p, p);
-                const float w = 1.0f / (length2 * std::sqrt(length2));
-                const glm::vec2 uv = shading::equirect_uv_close({c * p.x - s * p.z, p.y, c * p.z + s * p.x});
-                sum += w * light.read(uv.x, uv.y);
-                weight += w;
-            }
-            base.texels[base.index(face, x, y)] = sum / weight;
-        }
-    });
-    for (const LightPeak& peak : light.peaks) add_peak(base, peak, light.rotation_rad);
-    base.fill_margins();
-    levels_.push_back(std::move(base));
-    while (levels_.back().size > 1 && levels_.back().size % 2 == 0) levels_.push_back(halve(levels_.back()));
-}
+namespace {
 
-void CubePyramid::add_peak(Level& level, const LightPeak& peak, float rotation_rad) {
+/// What of a peak falls into each texel.
+void add_peak(scene::CubeMap& cube, const LightPeak& peak, float rotation_rad) {
     constexpr float points = kHatPoints;
     float total = 0.0f;
     for (const bool adding : {false, true}) {
@@ -106,15 +74,49 @@ void CubePyramid::add_peak(Level& level, const LightPeak& peak, float rotation_r
             }
             const glm::vec3 at =
                 shading::cube_uv_face(shading::rotate_about_y(peak.direction(across, down), rotation_rad));
-            const int last = static_cast<int>(level.size) - 1;
-            const int x = std::clamp(static_cast<int>(at.x * static_cast<float>(level.size)), 0, last);
-            const int y = std::clamp(static_cast<int>(at.y * static_cast<float>(level.size)), 0, last);
-            const auto solid_angle = static_cast<float>(
-                cube_texel_sr(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), level.size));
-            level.texels[level.index(static_cast<int>(at.z), x, y)] +=
-                glm::vec4(peak.power * (share / (total * solid_angle)), 0.0f);
+            const auto size = static_cast<float>(cube.size);
+            const auto x = static_cast<std::uint32_t>(std::clamp(at.x * size, 0.0f, size - 1.0f));
+            const auto y = static_cast<std::uint32_t>(std::clamp(at.y * size, 0.0f, size - 1.0f));
+            const auto solid_angle = static_cast<float>(cube_texel_sr(x, y, cube.size));
+            cube.texels[cube.index(static_cast<std::uint32_t>(at.z), x, y)] +=
+                peak.power * (share / (total * solid_angle));
         }
     }
+}
+
+}  // namespace
+
+scene::CubeMap mean_cube(const EquirectLight& light, std::uint32_t size) {
+    // Parts of a texel no wider than two texels of the map, each with two nodes.
+    const float texels = 2.0f * static_cast<float>(light.height) / (static_cast<float>(size) * shading::PI);
+    const auto cells = static_cast<std::uint32_t>(std::clamp(std::ceil(0.5f * texels), 1.0f, 16.0f));
+    scene::CubeMap cube = cube_of(size, TexelNodes::gauss(cells), light.rotation_rad, [&](Directions& d) {
+        d.find_places(static_cast<float>(light.width), static_cast<float>(light.height));
+        for (std::size_t i = 0; i < d.size(); ++i) {
+            const glm::vec4 value = light.read_texels(d.r[i], d.g[i]);
+            d.r[i] = value.x;
+            d.g[i] = value.y;
+            d.b[i] = value.z;
+        }
+    });
+    for (const LightPeak& peak : light.peaks) add_peak(cube, peak, light.rotation_rad);
+    return cube;
+}
+
+CubePyramid::CubePyramid(const scene::CubeMap& finest) {
+    Level base(finest.size);
+    for (int face = 0; face < 6; ++face) {
+        for (int y = 0; y < static_cast<int>(finest.size); ++y) {
+            for (int x = 0; x < static_cast<int>(finest.size); ++x)
+                base.texels[base.index(face, x, y)] = glm::vec4(
+                    finest.texels[finest.index(static_cast<std::uint32_t>(face),
+                                               static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))],
+                    0.0f);
+        }
+    }
+    base.fill_margins();
+    levels_.push_back(std::move(base));
+    while (levels_.back().size > 1 && levels_.back().size % 2 == 0) levels_.push_back(halve(levels_.back()));
 }
 
 void CubePyramid::Level::fill_margins() {

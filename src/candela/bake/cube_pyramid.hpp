@@ -16,11 +16,13 @@ namespace candela::bake {
 /// Sum over the texels of radiance times solid angle.
 [[nodiscard]] glm::dvec3 cube_energy(const scene::CubeMap& cube);
 
-/// A map as a cube in world directions, each texel the mean of what is in it, and all its halvings; every
-/// level has the energy of the map.
+/// A map as a cube in world directions, each texel the mean of what is in it.
+[[nodiscard]] scene::CubeMap mean_cube(const EquirectLight& light, std::uint32_t size);
+
+/// A cube and all its halvings; every level has the same energy.
 class CubePyramid {
   public:
-    CubePyramid(const EquirectLight& light, std::uint32_t size);
+    explicit CubePyramid(const scene::CubeMap& finest);
 
     [[nodiscard]] std::uint32_t size() const noexcept { return levels_.front().size; }
     [[nodiscard]] std::uint32_t levels() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
@@ -43,7 +45,6 @@ class CubePyramid {
         void fill_margins();
     };
     static Level halve(const Level& from);
-    static void add_peak(Level& level, const LightPeak& peak, float rotation_rad);
 
     std::vector<Level> levels_;
 };

@@ -101,15 +101,21 @@ glm::vec3 LightPeak::direction(float across, float down) const {
 }
 
 glm::vec4 EquirectLight::read(float u, float v) const {
-    const float x = (u - std::floor(u)) * static_cast<float>(width) - 0.5f;
-    const float y = std::clamp(v * static_cast<float>(height) - 0.5f, 0.0f, static_cast<float>(height - 1));
-    const auto left = static_cast<int>(std::floor(x));
+    return read_texels((u - std::floor(u)) * static_cast<float>(width), v * static_cast<float>(height));
+}
+
+glm::vec4 EquirectLight::read_texels(float across, float down) const {
+    const float x = across - 0.5f;
+    const float y = std::clamp(down - 0.5f, 0.0f, static_cast<float>(height - 1));
+    // Not below -1: whole numbers from there on are what a conversion cuts off at.
+    const int left = static_cast<int>(x + 1.0f) - 1;
     const auto top = static_cast<std::uint32_t>(y);
     const std::uint32_t bottom = std::min(top + 1, height - 1);
     const float fx = x - static_cast<float>(left);
     const float fy = y - static_cast<float>(top);
-    const std::size_t x0 = left < 0 ? width - 1 : static_cast<std::size_t>(left);
-    const std::size_t x1 = x0 + 1 == width ? 0 : x0 + 1;
+    const auto last = static_cast<int>(width) - 1;
+    const auto x0 = static_cast<std::size_t>(left < 0 ? last : std::min(left, last));
+    const std::size_t x1 = left >= last ? 0 : static_cast<std::size_t>(left + 1);
     const glm::vec4* upper = texels.data() + std::size_t{top} * width;
     const glm::vec4* lower = texels.data() + std::size_t{bottom} * width;
     return glm::mix(glm::mix(upper[x0], upper[x1], fx), glm::mix(lower[x0], lower[x1], fx), fy);
@@ -137,6 +143,11 @@ EquirectLight equirect_light(const scene::Environment& environment, float scale,
                    [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
     while (light.width > largest_width && light.width % 2 == 0 && light.height % 2 == 0) light = halve(light);
     take_peaks(light);
+    light.lowest = light.highest = light.texels.front();
+    for (const glm::vec4& texel : light.texels) {
+        light.lowest = glm::min(light.lowest, texel);
+        light.highest = glm::max(light.highest, texel);
+    }
     return light;
 }
 

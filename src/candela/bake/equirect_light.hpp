@@ -28,10 +28,14 @@ struct EquirectLight {
     std::uint32_t height = 0;
     std::vector<glm::vec4> texels;  ///< rgb; nowhere above `cap` in luminance
     std::vector<LightPeak> peaks;   ///< what the cap took away
-    float rotation_rad = 0.0f;      ///< of scene::Environment
+    glm::vec4 lowest{0.0f};         ///< of the texels, by channel
+    glm::vec4 highest{0.0f};
+    float rotation_rad = 0.0f;  ///< of scene::Environment
 
     /// Of the bilinear reading, without the peaks; u wraps around, v ends at the poles.
     [[nodiscard]] glm::vec4 read(float u, float v) const;
+    /// The same with x from 0 to width and y from 0 to height.
+    [[nodiscard]] glm::vec4 read_texels(float x, float y) const;
     /// Sum over texels and peaks of radiance times solid angle.
     [[nodiscard]] glm::dvec3 energy() const;
 };

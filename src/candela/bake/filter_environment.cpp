@@ -95,7 +95,7 @@ class Filter {
 
     void harmonic_levels(scene::FilteredEnvironment& out) const {
         const glm::dvec3 energy = light_.energy();
-        out.specular.push_back(CubePyramid(light_, options_.size).level(0));
+        out.specular.push_back(mean_cube(light_, options_.size));
         set_energy(out.specular.back(), energy);
         for (std::size_t level = 1; level < alphas_.size(); ++level) {
             const std::uint32_t size = options_.size >> level;
@@ -111,11 +111,11 @@ class Filter {
     [[nodiscard]] scene::CubeMap narrow_level(float alpha, std::uint32_t size) const {
         EquirectLight smooth = light_;
         smooth.peaks.clear();
-        return narrow_cube(light_, CubePyramid(smooth, options_.size), alpha, size);
+        return narrow_cube(light_, CubePyramid(mean_cube(smooth, options_.size)), alpha, size);
     }
 
     void sampled_levels(scene::FilteredEnvironment& out) const {
-        const CubePyramid source(light_, options_.size);
+        const CubePyramid source(mean_cube(light_, options_.size));
         out.specular.push_back(source.level(0));
         for (std::size_t level = 1; level < alphas_.size(); ++level) {
             const std::uint32_t size = options_.size >> level;

@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "candela/bake/wide.hpp"
 #include "shading/environment_filter.glsl"
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define CANDELA_WIDE __attribute__((target_clones("arch=haswell", "default")))
-#else
-#define CANDELA_WIDE
-#endif
 
 namespace candela::bake {
 namespace {

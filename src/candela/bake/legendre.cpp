@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The loops over rows are worth twice as much where the processor has wide fused arithmetic.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define CANDELA_WIDE __attribute__((target_clones("arch=haswell", "default")))
-#else
-#define CANDELA_WIDE
-#endif
+#include "candela/bake/wide.hpp"
 
 namespace candela::bake {
 namespace {
@@ -19,20 +14,33 @@ constexpr std::size_t kBlock = 8;
 /// Near the poles functions of high order vanish: below 1e-12 beyond this margin.
 constexpr double kOrderMargin = 24.0;
 
-/// Steps of the recurrence in l for fixed m, of functions whose square integrates to 1 over the sphere with
-/// exp(i m phi): P_l = a (x P_{l-1} - b P_{l-2}).
+/// The step from degree l - 2 and l to l + 2 at fixed order, of functions whose square integrates to 1 over
+/// the sphere with exp(i m phi): P_{l+2} = (a x^2 - c) P_l - b P_{l-2}. It is the recurrence x P_l =
+/// beta_{l+1} P_{l+1} + beta_l P_{l-1}, taken twice, so that degrees of one parity are found without the
+/// others.
 struct Step {
     double a;
     double b;
+    double c;
 };
+
+double beta(std::uint32_t l, std::uint32_t m) {
+    const double l2 = double(l) * double(l);
+    return std::sqrt((l2 - double(m) * double(m)) / (4.0 * l2 - 1.0));
+}
 
 std::vector<Step> recurrence(std::uint32_t m, std::uint32_t degree) {
     std::vector<Step> steps(degree + 1 - m);
-    const double m2 = double(m) * double(m);
-    for (std::uint32_t l = m + 1; l <= degree; ++l) {
-        const double l2 = double(l) * double(l);
-        const double p2 = (double(l) - 1.0) * (double(l) - 1.0);
-        steps[l - m] = {std::sqrt((4.0 * l2 - 1.0) / (l2 - m2)), std::sqrt((p2 - m2) / (4.0 * p2 - 1.0))};
+    double before = 0.0;
+    double now = 0.0;
+    double next = beta(m + 1, m);
+    for (std::uint32_t l = m; l <= degree; ++l) {
+        const double after = beta(l + 2, m);
+        const double a = 1.0 / (next * after);
+        steps[l - m] = {a, a * now * before, a * (next * next + now * now)};
+        before = now;
+        now = next;
+        next = after;
     }
     return steps;
 }
@@ -54,53 +62,78 @@ std::size_t first_row(const LegendreRows& rows, std::uint32_t m, std::uint32_t d
     return row / kBlock * kBlock;
 }
 
+/// A number for each of some rows; arithmetic on it is row by row.
+constexpr std::size_t kLanes = 4;
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+constexpr std::size_t kParts = kBlock / kLanes;
+
 /// The functions of one order in one block of rows.
 struct Block {
-    double cosine[kBlock] = {};
-    double now[kBlock] = {};
-    double before[kBlock] = {};
+    Lanes cosine2[kParts] = {};
+    Lanes start[2][kParts] = {};  // of degrees m and m + 1
     std::size_t count = 0;
 
     Block(const LegendreRows& rows, std::size_t first, std::uint32_t m, double log_start)
         : count(std::min(kBlock, rows.size() - first)) {
+        const double second = 1.0 / beta(m + 1, m);
         for (std::size_t i = 0; i < count; ++i) {
-            cosine[i] = rows.cosine[first + i];
-            now[i] = std::exp(log_start + double(m) * rows.log_sine[first + i]);
+            const double cosine = rows.cosine[first + i];
+            const double value = std::exp(log_start + double(m) * rows.log_sine[first + i]);
+            cosine2[i / kLanes][i % kLanes] = cosine * cosine;
+            start[0][i / kLanes][i % kLanes] = value;
+            start[1][i / kLanes][i % kLanes] = second * cosine * value;
         }
     }
 };
 
-/// One degree on.
-inline __attribute__((always_inline)) void advance(Block& block, const Step& step) {
-    for (std::size_t i = 0; i < kBlock; ++i) {
-        const double next = step.a * (block.cosine[i] * block.now[i] - step.b * block.before[i]);
-        block.before[i] = block.now[i];
-        block.now[i] = next;
+/// As an element of a std::vector, which forgets the alignment of the bare type.
+struct alignas(sizeof(Lanes)) Sum {
+    Lanes value = {};
+};
+
+struct BlockValues {
+    Lanes part[2][6][kParts] = {};  // by the parity of l - m
+};
+
+inline __attribute__((always_inline)) void advance(Lanes (&now)[kParts], Lanes (&before)[kParts],
+                                                   const Lanes (&cosine2)[kParts], const Step& step) {
+    for (std::size_t p = 0; p < kParts; ++p) {
+        const Lanes next = (step.a * cosine2[p] - step.c) * now[p] - step.b * before[p];
+        before[p] = now[p];
+        now[p] = next;
     }
 }
 
-CANDELA_WIDE void add_block(Block block, const Step* steps, std::size_t degrees,
-                            const double (&values)[2][6][kBlock], double* out) {
-    for (std::size_t l = 0; l < degrees; ++l) {
-        if (l > 0) advance(block, steps[l]);
-        const double(&v)[6][kBlock] = values[l & 1];
-        // Four lanes each: the order of the sum is the code's own, on every processor.
-        for (std::size_t c = 0; c < 6; ++c) {
-            double lane[4];
-            for (std::size_t i = 0; i < 4; ++i)
-                lane[i] = block.now[i] * v[c][i] + block.now[i + 4] * v[c][i + 4];
-            out[6 * l + c] += (lane[0] + lane[1]) + (lane[2] + lane[3]);
+CANDELA_WIDE void add_block(const Block& block, const Step* steps, std::size_t degrees,
+                            const BlockValues& values, Sum* out) {
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        Lanes now[kParts] = {block.start[parity][0], block.start[parity][1]};
+        Lanes before[kParts] = {};
+        const Lanes cosine2[kParts] = {block.cosine2[0], block.cosine2[1]};
+        for (std::size_t l = parity; l < degrees; l += 2) {
+            for (std::size_t c = 0; c < 6; ++c)
+                out[6 * l + c].value +=
+                    now[0] * values.part[parity][c][0] + now[1] * values.part[parity][c][1];
+            advance(now, before, cosine2, steps[l]);
         }
     }
 }
 
-CANDELA_WIDE void expand_block(Block block, const Step* steps, std::size_t degrees, const double* in,
-                               double (&values)[2][6][kBlock]) {
-    for (std::size_t l = 0; l < degrees; ++l) {
-        if (l > 0) advance(block, steps[l]);
-        double(&v)[6][kBlock] = values[l & 1];
+CANDELA_WIDE void expand_block(const Block& block, const Step* steps, std::size_t degrees, const double* in,
+                               BlockValues& values) {
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        Lanes now[kParts] = {block.start[parity][0], block.start[parity][1]};
+        Lanes before[kParts] = {};
+        const Lanes cosine2[kParts] = {block.cosine2[0], block.cosine2[1]};
+        Lanes sums[6][kParts] = {};
+        for (std::size_t l = parity; l < degrees; l += 2) {
+            for (std::size_t c = 0; c < 6; ++c) {
+                for (std::size_t p = 0; p < kParts; ++p) sums[c][p] += in[6 * l + c] * now[p];
+            }
+            advance(now, before, cosine2, steps[l]);
+        }
         for (std::size_t c = 0; c < 6; ++c) {
-            for (std::size_t i = 0; i < kBlock; ++i) v[c][i] += in[6 * l + c] * block.now[i];
+            for (std::size_t p = 0; p < kParts; ++p) values.part[parity][c][p] = sums[c][p];
         }
     }
 }
@@ -119,15 +152,21 @@ void sum_over_rows(const LegendreRows& rows, std::uint32_t m, std::uint32_t degr
                    const double* const (&even)[6], const double* const (&odd)[6], double* out) {
     const std::vector<Step> steps = recurrence(m, degree);
     const double start = log_diagonal(m);
-    std::fill_n(out, 6 * steps.size(), 0.0);
+    std::vector<Sum> sums(6 * steps.size());
     for (std::size_t first = first_row(rows, m, degree); first < rows.size(); first += kBlock) {
         const Block block(rows, first, m, start);
-        double values[2][6][kBlock] = {};
+        BlockValues values;
         for (std::size_t c = 0; c < 6; ++c) {
-            std::copy_n(even[c] + first, block.count, values[0][c]);
-            std::copy_n(odd[c] + first, block.count, values[1][c]);
+            for (std::size_t i = 0; i < block.count; ++i) {
+                values.part[0][c][i / kLanes][i % kLanes] = even[c][first + i];
+                values.part[1][c][i / kLanes][i % kLanes] = odd[c][first + i];
+            }
         }
-        add_block(block, steps.data(), steps.size(), values, out);
+        add_block(block, steps.data(), steps.size(), values, sums.data());
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Lanes& sum = sums[i].value;
+        out[i] = (sum[0] + sum[1]) + (sum[2] + sum[3]);
     }
 }
 
@@ -144,11 +183,13 @@ void sum_over_degrees(const LegendreRows& rows, std::uint32_t m, std::uint32_t d
     }
     for (std::size_t first = begin; first < rows.size(); first += kBlock) {
         const Block block(rows, first, m, start);
-        double values[2][6][kBlock] = {};
+        BlockValues values;
         expand_block(block, steps.data(), steps.size(), scaled.data(), values);
         for (std::size_t c = 0; c < 6; ++c) {
-            std::copy_n(values[0][c], block.count, even[c] + first);
-            std::copy_n(values[1][c], block.count, odd[c] + first);
+            for (std::size_t i = 0; i < block.count; ++i) {
+                even[c][first + i] = values.part[0][c][i / kLanes][i % kLanes];
+                odd[c][first + i] = values.part[1][c][i / kLanes][i % kLanes];
+            }
         }
     }
 }

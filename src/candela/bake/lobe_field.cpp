@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "candela/bake/wide.hpp"
 #include "shading/environment_filter.glsl"
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define CANDELA_WIDE __attribute__((target_clones("arch=haswell", "default")))
-#else
-#define CANDELA_WIDE
-#endif
 
 namespace candela::bake {
 namespace {
@@ -18,7 +12,7 @@ namespace {
 /// The transform of the LD weight falls like exp(-2 alpha l) sqrt(alpha l).
 constexpr double kDegreeTimesAlpha = 6.0;
 /// The clamped cosine of a rough lobe falls slower, as l^-2.5.
-constexpr std::uint32_t kLeastDegree = 40;
+constexpr std::uint32_t kLeastDegree = 96;
 
 /// The hat of bilinear reading in nine points, its second moments kept.
 constexpr float kHatSide = 1.0f / 12.0f;
@@ -27,23 +21,6 @@ std::uint32_t grid_width(std::uint32_t degree) {
     std::uint32_t width = 64;
     while (2 * width < 5 * degree) width *= 2;
     return width;
-}
-
-CANDELA_WIDE void grid_places(const Directions& d, float width, float height, float* x, float* y) {
-    for (std::size_t i = 0; i < d.size(); ++i) {
-        const shading::vec2 uv = shading::equirect_uv_close({d.x[i], d.y[i], d.z[i]});
-        x[i] = uv.x * width;
-        y[i] = uv.y * height;
-    }
-}
-
-CANDELA_WIDE void make_unit(std::size_t count, float* x, float* y, float* z) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float scale = 1.0f / std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-        x[i] *= scale;
-        y[i] *= scale;
-        z[i] *= scale;
-    }
 }
 
 CANDELA_WIDE float nearest_half_sine2(const Directions& d, const glm::vec3& to) {
@@ -70,16 +47,6 @@ CANDELA_WIDE void add_source(std::size_t count, const float* x, const float* y, 
 }
 
 }  // namespace
-
-void Directions::clear() {
-    for (std::vector<float>* part : {&x, &y, &z, &r, &g, &b}) part->clear();
-}
-
-void Directions::add(const glm::vec3& direction) {
-    x.push_back(direction.x);
-    y.push_back(direction.y);
-    z.push_back(direction.z);
-}
 
 std::uint32_t ld_degree(float alpha) {
     return std::max(kLeastDegree, static_cast<std::uint32_t>(std::ceil(kDegreeTimesAlpha / double(alpha))));
@@ -127,12 +94,8 @@ LobeField::LobeField(const EquirectLight& light, const Harmonics& harmonics, flo
       grid_(synthesize(harmonics,
                        ld_zonal_coefficients(alpha, std::min(ld_degree(alpha), harmonics.degree())),
                        grid_width(std::min(ld_degree(alpha), harmonics.degree())))),
-      lowest_(std::numeric_limits<float>::max()),
-      highest_(0.0f) {
-    for (const glm::vec4& texel : light.texels) {
-        lowest_ = glm::min(lowest_, texel);
-        highest_ = glm::max(highest_, texel);
-    }
+      lowest_(light.lowest),
+      highest_(light.highest) {
     const float normalize = 1.0f / shading::ld_weight_integral(alpha);
     for (const LightPeak& peak : light.peaks) {
         far_.push_back({peak.direction(), peak.power * normalize});
@@ -151,15 +114,9 @@ LobeField::LobeField(const EquirectLight& light, const Harmonics& harmonics, flo
 }
 
 void LobeField::evaluate(Directions& d) const {
-    const std::size_t count = d.size();
-    make_unit(count, d.x.data(), d.y.data(), d.z.data());
-    d.r.resize(count);
-    d.g.resize(count);
-    d.b.resize(count);
-    // Places first, in the arrays of the colours that replace them.
-    grid_places(d, static_cast<float>(grid_.width()), static_cast<float>(grid_.height()), d.r.data(),
-                d.g.data());
-    for (std::size_t i = 0; i < count; ++i) {
+    d.make_unit();
+    d.find_places(static_cast<float>(grid_.width()), static_cast<float>(grid_.height()));
+    for (std::size_t i = 0; i < d.size(); ++i) {
         const glm::vec4 value = glm::clamp(grid_.read(d.r[i], d.g[i]), lowest_, highest_);
         d.r[i] = value.x;
         d.g[i] = value.y;

@@ -4,20 +4,11 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "candela/bake/directions.hpp"
 #include "candela/bake/equirect_light.hpp"
 #include "candela/bake/harmonics.hpp"
 
 namespace candela::bake {
-
-/// Directions, not necessarily unit, in the frame of a map, and what is seen there.
-struct Directions {
-    std::vector<float> x, y, z;
-    std::vector<float> r, g, b;
-
-    [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
-    void clear();
-    void add(const glm::vec3& direction);
-};
 
 /// Coefficient of each degree of a function blurred by the LD weight of GGX, per coefficient of the function
 /// itself: degree 0 has 1.
