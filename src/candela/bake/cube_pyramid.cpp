@@ -12,9 +12,6 @@
 namespace candela::bake {
 namespace {
 
-/// Points a side of a peak's hat.
-constexpr int kHatPoints = 16;
-
 double corner_sr(double x, double y) {
     return std::atan2(x * y, std::sqrt(x * x + y * y + 1.0));
 }
@@ -59,29 +56,14 @@ namespace {
 
 /// What of a peak falls into each texel.
 void add_peak(scene::CubeMap& cube, const LightPeak& peak, float rotation_rad) {
-    constexpr float points = kHatPoints;
-    float total = 0.0f;
-    for (const bool adding : {false, true}) {
-        for (int k = 0; k < kHatPoints * kHatPoints; ++k) {
-            const float across = 2.0f * (static_cast<float>(k % kHatPoints) + 0.5f) / points - 1.0f;
-            const float down = 2.0f * (static_cast<float>(k / kHatPoints) + 0.5f) / points - 1.0f;
-            const float polar = peak.polar_rad + down * peak.polar_step_rad;
-            const float share =
-                (1.0f - std::abs(across)) * (1.0f - std::abs(down)) * std::abs(std::sin(polar));
-            if (!adding) {
-                total += share;
-                continue;
-            }
-            const glm::vec3 at =
-                shading::cube_uv_face(shading::rotate_about_y(peak.direction(across, down), rotation_rad));
-            const auto size = static_cast<float>(cube.size);
-            const auto x = static_cast<std::uint32_t>(std::clamp(at.x * size, 0.0f, size - 1.0f));
-            const auto y = static_cast<std::uint32_t>(std::clamp(at.y * size, 0.0f, size - 1.0f));
-            const auto solid_angle = static_cast<float>(cube_texel_sr(x, y, cube.size));
-            cube.texels[cube.index(static_cast<std::uint32_t>(at.z), x, y)] +=
-                peak.power * (share / (total * solid_angle));
-        }
-    }
+    const auto size = static_cast<float>(cube.size);
+    for_hat(peak, [&](const glm::vec3& direction, float share) {
+        const glm::vec3 at = shading::cube_uv_face(shading::rotate_about_y(direction, rotation_rad));
+        const auto x = static_cast<std::uint32_t>(std::clamp(at.x * size, 0.0f, size - 1.0f));
+        const auto y = static_cast<std::uint32_t>(std::clamp(at.y * size, 0.0f, size - 1.0f));
+        const auto solid_angle = static_cast<float>(cube_texel_sr(x, y, cube.size));
+        cube.texels[cube.index(static_cast<std::uint32_t>(at.z), x, y)] += peak.power * (share / solid_angle);
+    });
 }
 
 }  // namespace
@@ -90,15 +72,8 @@ scene::CubeMap mean_cube(const EquirectLight& light, std::uint32_t size) {
     // Parts of a texel no wider than two texels of the map, each with two nodes.
     const float texels = 2.0f * static_cast<float>(light.height) / (static_cast<float>(size) * shading::PI);
     const auto cells = static_cast<std::uint32_t>(std::clamp(std::ceil(0.5f * texels), 1.0f, 16.0f));
-    scene::CubeMap cube = cube_of(size, TexelNodes::gauss(cells), light.rotation_rad, [&](Directions& d) {
-        d.find_places(static_cast<float>(light.width), static_cast<float>(light.height));
-        for (std::size_t i = 0; i < d.size(); ++i) {
-            const glm::vec4 value = light.read_texels(d.r[i], d.g[i]);
-            d.r[i] = value.x;
-            d.g[i] = value.y;
-            d.b[i] = value.z;
-        }
-    });
+    scene::CubeMap cube = cube_of(size, TexelNodes::gauss(cells), light.rotation_rad,
+                                  [&](Directions& directions) { read_map(light, directions); });
     for (const LightPeak& peak : light.peaks) add_peak(cube, peak, light.rotation_rad);
     return cube;
 }

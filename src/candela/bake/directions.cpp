@@ -87,4 +87,14 @@ scene::CubeMap cube_of(std::uint32_t size, const TexelNodes& nodes, float rotati
     return cube;
 }
 
+void read_map(const EquirectLight& light, Directions& d) {
+    d.find_places(static_cast<float>(light.width), static_cast<float>(light.height));
+    for (std::size_t i = 0; i < d.size(); ++i) {
+        const glm::vec4 value = light.read_texels(d.r[i], d.g[i]);
+        d.r[i] = value.x;
+        d.g[i] = value.y;
+        d.b[i] = value.z;
+    }
+}
+
 }  // namespace candela::bake

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "candela/bake/equirect_light.hpp"
 #include "candela/scene/cube_map.hpp"
 
 namespace candela::bake {
@@ -42,5 +43,8 @@ struct TexelNodes {
 /// that is turned by rotation_rad. `evaluate` fills in colours, on several threads at a time.
 [[nodiscard]] scene::CubeMap cube_of(std::uint32_t size, const TexelNodes& nodes, float rotation_rad,
                                      const std::function<void(Directions&)>& evaluate);
+
+/// What a map shows in each direction, without its peaks.
+void read_map(const EquirectLight& light, Directions& directions);
 
 }  // namespace candela::bake

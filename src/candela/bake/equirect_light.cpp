@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "shading/environment.glsl"
 
@@ -98,6 +97,23 @@ void take_peaks(EquirectLight& light) {
 glm::vec3 LightPeak::direction(float across, float down) const {
     return shading::equirect_direction({0.5f + (azimuth_rad + across * azimuth_step_rad) / shading::TWO_PI,
                                         (polar_rad + down * polar_step_rad) / shading::PI});
+}
+
+void for_hat(const LightPeak& peak, const std::function<void(const glm::vec3&, float)>& visit) {
+    constexpr int points = 16;
+    float shares[points * points];
+    const auto place = [](int i) {
+        return 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(points) - 1.0f;
+    };
+    float total = 0.0f;
+    for (int k = 0; k < points * points; ++k) {
+        const float down = place(k / points);
+        shares[k] = (1.0f - std::abs(place(k % points))) * (1.0f - std::abs(down)) *
+                    std::abs(std::sin(peak.polar_rad + down * peak.polar_step_rad));
+        total += shares[k];
+    }
+    for (int k = 0; k < points * points; ++k)
+        visit(peak.direction(place(k % points), place(k / points)), shares[k] / total);
 }
 
 glm::vec4 EquirectLight::read(float u, float v) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -20,6 +21,9 @@ struct LightPeak {
     /// Unit; `across` and `down` in texels from the centre.
     [[nodiscard]] glm::vec3 direction(float across = 0.0f, float down = 0.0f) const;
 };
+
+/// Calls visit(direction, share) for 16 x 16 points of a peak's hat; the shares add up to 1.
+void for_hat(const LightPeak& peak, const std::function<void(const glm::vec3&, float)>& visit);
 
 /// An equirectangular map ready to be filtered, in its own frame, read bilinearly as everything here reads
 /// it.
