@@ -23,11 +23,15 @@ float luminance(const glm::vec4& texel) {
     return shading::luminance(glm::vec3(texel));
 }
 
+/// Of the map that peaks are looked for in.
+constexpr std::uint32_t kPeakMapWidth = 2048;
+
 EquirectLight halve(const EquirectLight& from) {
     EquirectLight to;
     to.width = from.width / 2;
     to.height = from.height / 2;
     to.rotation_rad = from.rotation_rad;
+    to.peaks = from.peaks;
     to.texels.resize(std::size_t{to.width} * to.height);
     tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
         const float upper = texel_solid_angle(from, 2 * y);
@@ -157,8 +161,13 @@ EquirectLight equirect_light(const scene::Environment& environment, float scale,
     light.texels.resize(environment.luminance_nit.size());
     std::transform(environment.luminance_nit.begin(), environment.luminance_nit.end(), light.texels.begin(),
                    [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
-    while (light.width > largest_width && light.width % 2 == 0 && light.height % 2 == 0) light = halve(light);
+    const auto halve_to = [&light](std::uint32_t width) {
+        while (light.width > width && light.width % 2 == 0 && light.height % 2 == 0) light = halve(light);
+    };
+    // Peaks where they are, however small the map is made.
+    halve_to(std::max(largest_width, kPeakMapWidth));
     take_peaks(light);
+    halve_to(largest_width);
     light.lowest = light.highest = light.texels.front();
     for (const glm::vec4& texel : light.texels) {
         light.lowest = glm::min(light.lowest, texel);

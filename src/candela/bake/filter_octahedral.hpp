@@ -12,7 +12,7 @@ namespace candela::bake {
 struct OctahedralLight {
     std::vector<OctahedralMap> specular;  ///< level 0 the mirror's, the mean of each texel; then LD terms,
                                           ///< linear in perceptual roughness
-    OctahedralMap irradiance;  ///< divided by pi
+    OctahedralMap irradiance;             ///< divided by pi
 };
 
 /// By convolution in spherical harmonics, as filter_environment does it, on the processor.

@@ -74,36 +74,67 @@ scene::CubeMap ggx_samples_cube(const CubePyramid& source, float alpha, std::uin
     });
 }
 
-scene::CubeMap cosine_power_cube(const CubePyramid& source, float alpha, std::uint32_t size) {
-    struct Beam {
-        glm::vec3 direction;
-        glm::vec3 light;
-        float solid_angle;
-    };
-    const scene::CubeMap finest = source.level(0);
+namespace {
+
+struct Beam {
+    glm::vec3 direction;
+    glm::vec3 light;
+    float solid_angle;
+};
+
+/// Neighbouring texels within a cone, passed over as one where it is out of reach.
+struct Bundle {
+    glm::vec3 axis;
+    float half_angle;
     std::vector<Beam> beams;
-    beams.reserve(finest.texels.size());
-    for (std::uint32_t face = 0; face < 6; ++face) {
-        for (std::uint32_t y = 0; y < finest.size; ++y) {
-            for (std::uint32_t x = 0; x < finest.size; ++x) {
-                const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / static_cast<float>(finest.size);
-                const auto sr = static_cast<float>(cube_texel_sr(x, y, finest.size));
-                beams.push_back({glm::normalize(shading::cube_point(static_cast<int>(face), uv)),
-                                 finest.texels[finest.index(face, x, y)] * sr, sr});
-            }
+};
+
+std::vector<Bundle> bundles_of(const scene::CubeMap& cube) {
+    const std::uint32_t side = std::min(cube.size, 16u);
+    const std::uint32_t across = cube.size / side;
+    std::vector<Bundle> bundles;
+    for (std::uint32_t bundle = 0; bundle < 6 * across * across; ++bundle) {
+        const std::uint32_t face = bundle / (across * across);
+        const glm::uvec2 corner = glm::uvec2(bundle % across, bundle / across % across) * side;
+        const auto direction = [&](const glm::vec2& texel) {
+            return glm::normalize(
+                shading::cube_point(static_cast<int>(face), texel / static_cast<float>(cube.size)));
+        };
+        Bundle out{direction(glm::vec2(corner) + 0.5f * static_cast<float>(side)), 0.0f, {}};
+        for (std::uint32_t k = 0; k < side * side; ++k) {
+            const glm::uvec2 texel = corner + glm::uvec2(k % side, k / side);
+            const auto sr = static_cast<float>(cube_texel_sr(texel.x, texel.y, cube.size));
+            const glm::vec3 d = direction(glm::vec2(texel) + 0.5f);
+            out.beams.push_back({d, cube.texels[cube.index(face, texel.x, texel.y)] * sr, sr});
+            out.half_angle = std::max(out.half_angle, std::acos(std::min(glm::dot(d, out.axis), 1.0f)));
         }
+        bundles.push_back(std::move(out));
     }
+    return bundles;
+}
+
+}  // namespace
+
+scene::CubeMap cosine_power_cube(const CubePyramid& source, float alpha, std::uint32_t size) {
+    const std::vector<Bundle> bundles = bundles_of(source.level(0));
     const float power = shading::cosine_power_from_alpha(alpha);
     const float least_cosine = std::pow(1.0e-6f, 1.0f / power);
+    std::vector<float> least_axis_cosines;
+    for (const Bundle& bundle : bundles)
+        least_axis_cosines.push_back(
+            std::cos(std::min(std::acos(least_cosine) + bundle.half_angle, shading::PI)) - 1.0e-4f);
     return for_texels(size, [&](const glm::vec3& n) {
         glm::vec3 sum(0.0f);
         float total = 0.0f;
-        for (const Beam& beam : beams) {
-            const float cosine = glm::dot(n, beam.direction);
-            if (cosine <= least_cosine) continue;
-            const float weight = std::exp2(power * std::log2(cosine));
-            sum += weight * beam.light;
-            total += weight * beam.solid_angle;
+        for (std::size_t i = 0; i < bundles.size(); ++i) {
+            if (glm::dot(n, bundles[i].axis) < least_axis_cosines[i]) continue;
+            for (const Beam& beam : bundles[i].beams) {
+                const float cosine = glm::dot(n, beam.direction);
+                if (cosine <= least_cosine) continue;
+                const float weight = std::exp2(power * std::log2(cosine));
+                sum += weight * beam.light;
+                total += weight * beam.solid_angle;
+            }
         }
         // A lobe between the centres of two texels is the nearest texel.
         return total > 0.0f ? sum / total : glm::vec3(source.read(n, 0u));

@@ -11,8 +11,8 @@
 namespace candela::bake {
 namespace {
 
-constexpr std::uint32_t kRings = 10;
-constexpr std::uint32_t kSpokes = 8;
+constexpr std::uint32_t kRings = 8;
+constexpr std::uint32_t kSpokes = 6;
 
 struct Point {
     glm::vec3 local;
@@ -52,11 +52,12 @@ float mean_weight(const std::vector<glm::vec3>& hat, const std::vector<float>& s
                   const glm::vec2& corner, float step, float alpha) {
     const glm::vec3 center = glm::normalize(shading::cube_point(face, corner + 0.5f * step));
     const float away = 2.0f * std::sqrt(shading::half_sine2(center, hat[hat.size() / 2]));
-    if (away > 40.0f * step)
+    const float texel = 2.0f * step;  // its angle in the middle of a face
+    if (away > 20.0f * texel)
         return shading::ld_weight(shading::half_sine2(center, hat[hat.size() / 2]), alpha);
-    const float wanted = std::ceil(2.0f * step / std::max(alpha, 0.25f * away));
+    const float wanted = std::ceil(2.0f * texel / std::max(alpha, 0.25f * away));
     const int parts = static_cast<int>(std::clamp(wanted, 2.0f, 24.0f));
-    const bool near = away < 8.0f * step;
+    const bool near = away < 4.0f * texel;
     float sum = 0.0f;
     for (int k = 0; k < parts * parts; ++k) {
         const glm::vec2 at((static_cast<float>(k % parts) + 0.5f) / static_cast<float>(parts),
