@@ -18,7 +18,7 @@ FN float half_sine2(vec3 a, vec3 b) {
 FN float ld_weight_integral(float alpha) {
     float a2 = alpha * alpha;
     float b = (1.0f - alpha) * (1.0f + alpha);
-    if (b < 0.02f) return 1.0f + b * (2.0f / 3.0f + b * (11.0f / 24.0f));
+    if (b < 0.15f) return 1.0f + b * (2.0f / 3.0f + b * (11.0f / 24.0f + b * (0.325f + b * 0.2375f)));
     return 4.0f / (b * b) * (b - 2.0f * a2 * log(0.5f * (1.0f + a2) / a2));
 }
 

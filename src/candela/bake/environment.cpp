@@ -76,7 +76,7 @@ gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands,
 
 /// Smooth levels are large and narrow: few samples; rough ones small and wide.
 std::int32_t sample_count(std::uint32_t level) {
-    return level == 0 ? 1 : std::min(64 << (level - 1), 256);
+    return level == 0 ? 1 : std::min(128 << (level - 1), 1024);
 }
 
 gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Image& source) {
