@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/bake/environment.hpp"
-#include "candela/io/image_read.hpp"
+#include "candela/io/environment_read.hpp"
 #include "candela/measure/filter_error.hpp"
 #include "candela/version.hpp"
 

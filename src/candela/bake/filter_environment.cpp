@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "candela/bake/cube_pyramid.hpp"
@@ -97,21 +98,25 @@ class Filter {
         const glm::dvec3 energy = light_.energy();
         out.specular.push_back(mean_cube(light_, options_.size));
         set_energy(out.specular.back(), energy);
+        std::optional<CubePyramid> smooth;
         for (std::size_t level = 1; level < alphas_.size(); ++level) {
             const std::uint32_t size = options_.size >> level;
             const float alpha = alphas_[level];
-            out.specular.push_back(is_narrow(alpha)
-                                       ? narrow_level(alpha, size)
-                                       : sample_cube(LobeField(light_, harmonics_, alpha),
-                                                     light_.rotation_rad, alpha, size, options_.texel));
+            if (is_narrow(alpha)) {
+                if (!smooth) smooth.emplace(mean_cube(without_peaks(), options_.size));
+                out.specular.push_back(narrow_cube(light_, *smooth, alpha, size));
+            } else {
+                out.specular.push_back(sample_cube(LobeField(light_, harmonics_, alpha), light_.rotation_rad,
+                                                   alpha, size, options_.texel));
+            }
             if (options_.texel == TexelValue::mean) set_energy(out.specular.back(), energy);
         }
     }
 
-    [[nodiscard]] scene::CubeMap narrow_level(float alpha, std::uint32_t size) const {
+    [[nodiscard]] EquirectLight without_peaks() const {
         EquirectLight smooth = light_;
         smooth.peaks.clear();
-        return narrow_cube(light_, CubePyramid(mean_cube(smooth, options_.size)), alpha, size);
+        return smooth;
     }
 
     void sampled_levels(scene::FilteredEnvironment& out) const {

@@ -12,7 +12,7 @@ namespace {
 /// The transform of the LD weight falls like exp(-2 alpha l) sqrt(alpha l).
 constexpr double kDegreeTimesAlpha = 6.0;
 /// The clamped cosine of a rough lobe falls slower, as l^-2.5.
-constexpr std::uint32_t kLeastDegree = 128;
+constexpr std::uint32_t kLeastDegree = 100;
 
 /// The hat of bilinear reading in nine points, its second moments kept.
 constexpr float kHatSide = 1.0f / 12.0f;
