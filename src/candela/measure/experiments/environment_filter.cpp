@@ -30,7 +30,7 @@ std::string short_name(const scene::Environment& e) {
 
 void add_map(Findings& out, const scene::Environment& environment, double rmse_at_most) {
     using bake::FilterTechnique;
-    const FilterTruth truth = filter_truth(environment, kSize, scene::RoughnessMapping::linear, 24);
+    const FilterTruth truth = filter_truth(environment, kSize, scene::RoughnessMapping::linear, 16);
     Table table{
         short_name(environment) + ": error of each level, root mean square / largest", {"technique"}, {}};
     for (std::uint32_t size = kSize / 2; size > 0; size /= 2)
@@ -66,7 +66,7 @@ Findings run() {
     add_map(out, one_texel_sun_environment(256), 5.0e-3);
     add_map(out, small_studio(), 5.0e-3);
     out.text =
-        "Relative to the integral over all texels at the centres of 24 texels a level. A cosine lobe has no "
+        "Relative to the integral over all texels at the centres of 16 texels a level. A cosine lobe has no "
         "tail, and samples miss a sun of one texel or meet it too often; the convolution has neither fault.";
     return out;
 }

@@ -62,7 +62,7 @@ Findings run() {
     out.pictures = {faces("Importance sampling, 64 samples", plain, level),
                     faces("Pre-filtered importance sampling, 64 samples", quick, level),
                     faces("Convolution in harmonics", exact, level)};
-    const FilterTruth truth = filter_truth(e, kSize, scene::RoughnessMapping::linear, 24);
+    const FilterTruth truth = filter_truth(e, kSize, scene::RoughnessMapping::linear, 16);
     Plot plot{"Relative RMSE by level",
               "64 samples a texel, against the integral.",
               {"alpha", 0.0, 1.0},

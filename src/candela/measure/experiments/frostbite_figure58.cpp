@@ -13,7 +13,7 @@ namespace candela::measure::experiments {
 namespace {
 
 constexpr std::uint32_t kSize = 128;
-constexpr std::uint32_t kDirections = 32;
+constexpr std::uint32_t kDirections = 16;
 
 glm::vec3 direction(std::uint32_t i) {
     const float y = 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / kDirections;
@@ -78,17 +78,20 @@ Findings run() {
             smooth[1] = std::max(smooth[1], b.y.back());
         }
     }
-    out.measured = {at_most("Linear: largest error below perceptual roughness 0.25", smooth[0], 0.3),
-                    at_most("Squared: largest error below perceptual roughness 0.25", smooth[1], 0.3)};
+    out.measured = {at_most("Linear: largest error below perceptual roughness 0.25", smooth[0], 0.1),
+                    at_most("Squared: largest error below perceptual roughness 0.25", smooth[1], 0.15)};
     out.plots.push_back({"Relative RMSE of what is read between levels",
                          "Seven levels of a 128² cube, each texel its mean.",
                          {"perceptual roughness", 0.0, 1.0},
                          {"RMSE", 1e-3, 1.0, Scale::logarithmic},
                          {a, b}});
     out.text =
-        "Neither mapping is better everywhere: the levels in which a roughness is looked up are larger "
-        "with the linear mapping where surfaces are of middling roughness, and closer together with the "
-        "squared one where they are smooth.";
+        "Frostbite finds the squared mapping slightly better for smooth surfaces. In this measure it is not: "
+        "read "
+        "between levels, the linear mapping is closer to the integral at each of these roughnesses, because "
+        "its "
+        "levels of middling roughness have twice as many texels a side. What the squared one gains, it gains "
+        "below a perceptual roughness of 0.06.";
     return out;
 }
 
@@ -96,7 +99,7 @@ Findings run() {
 
 Experiment frostbite_figure58() {
     return {"Frostbite", "Figure 58", "Storing roughness in mip levels: two mappings against the integral",
-            "The studio read between levels for a row of roughnesses, at 32 directions, where levels are "
+            "The studio read between levels for a row of roughnesses, at 16 directions, where levels are "
             "linear in "
             "the perceptual roughness and where it is their square.",
             run};
