@@ -93,7 +93,8 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure56() {
-    return {"Frostbite", "Figure 56", "Importance sampling with and without pre-filtering",
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 56",
+            "Importance sampling with and without pre-filtering",
             "A studio with a small lamp, blurred for alpha 0.08 with 64 samples a texel, plainly and reading "
             "coarser levels where samples are far apart (listing 19).",
             run};

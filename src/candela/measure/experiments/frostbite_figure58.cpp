@@ -98,7 +98,8 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure58() {
-    return {"Frostbite", "Figure 58", "Storing roughness in mip levels: two mappings against the integral",
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 58",
+            "Storing roughness in mip levels: two mappings against the integral",
             "The studio read between levels for a row of roughnesses, at 16 directions, where levels are "
             "linear in "
             "the perceptual roughness and where it is their square.",
