@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "bake_dfg.hpp"
+#include "bake_environment.hpp"
 #include "bake_lobes.hpp"
 #include "candela/bake/ltc_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
@@ -20,6 +22,9 @@ namespace {
 struct BakeOptions {
     std::string what;
     std::string output;
+    BakeEnvironmentOptions environment;
+    std::string visibility = "correlated";
+    std::uint32_t dfg_size = 128;
     bool json = false;
 };
 
@@ -80,26 +85,74 @@ int bake_ltc(const BakeOptions& options) {
 }
 
 int bake(const BakeOptions& options) {
+    if (options.what == "ltc") return bake_ltc(options);
     if (options.what == "lobes") return bake_lobes(options.output, options.json);
-    if (options.what != "ltc")
-        throw input_error("there is no table '" + options.what + "' to bake", "candela bake",
-                          "candela bake ltc or candela bake lobes");
-    return bake_ltc(options);
+    if (options.what == "dfg")
+        return bake_dfg_table(options.output, options.visibility, options.dfg_size, options.json);
+    const bool template_name = options.what.find('{') != std::string::npos;
+    if (options.what != "studio" && !template_name && !std::filesystem::exists(options.what))
+        throw input_error("there is no table and no environment '" + options.what + "' to bake",
+                          "candela bake",
+                          "candela bake ltc, candela bake lobes, candela bake dfg or candela bake ENV.exr");
+    BakeEnvironmentOptions environment = options.environment;
+    environment.environment = options.what;
+    environment.folder = options.output.empty() ? "environment" : options.output;
+    environment.json = options.json;
+    return bake_environment(environment);
+}
+
+void add_environment_options(CLI::App& command, BakeOptions& options) {
+    BakeEnvironmentOptions& e = options.environment;
+    const char* group = "Environments";
+    add_environment_file_options(command, e.how);
+    command.add_option("--size", e.size, "Texels a side of the finest level, a power of two (256)")
+        ->check(CLI::Range(1u, 4096u))
+        ->group(group);
+    command.add_option("--levels", e.levels, "Levels; 0: down to one texel, or what the preset ends with")
+        ->check(CLI::Range(0u, 13u))
+        ->group(group);
+    command.add_option("--mapping", e.mapping, "Roughness of a level: linear, frostbite or filament")
+        ->group(group);
+    command
+        .add_option("--technique", e.technique,
+                    "harmonic (default), filtered-importance, ggx-importance or cosine-power")
+        ->group(group);
+    command.add_option("--samples", e.samples, "Samples a texel where the technique draws")
+        ->check(CLI::Range(1u, 1u << 20))
+        ->group(group);
+    command.add_option("--irradiance-size", e.irradiance_size, "Texels a side of the irradiance (32)")
+        ->check(CLI::Range(1u, 512u))
+        ->group(group);
+    command.add_option("--preset", e.preset, "Whose conventions: candela, filament, threejs or gltf")
+        ->group(group);
+    command.add_option("--format", e.format, "With candela: ktx2, ktx2-rgb9e5, dds, exr or exr-faces")
+        ->group(group);
+    command.add_option("--env-scale", e.scale, "Multiplies the environment")
+        ->check(CLI::Range(1.0e-9f, 1.0e9f))
+        ->group(group);
+    command.add_option("--env-rotate", e.rotate_deg, "Turns it about +Y, degrees")->group(group);
 }
 
 }  // namespace
 
 void add_bake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeOptions>();
-    CLI::App* command = app.add_subcommand("bake", "Compute tables that rendering reads");
+    CLI::App* command =
+        app.add_subcommand("bake", "Filter environments and compute tables that rendering reads");
     command
         ->add_option(
             "what", options->what,
-            "ltc: the matrices of linearly transformed cosines; lobes: reads of environments along the lobe")
+            "An environment (.exr, .hdr, .ktx2, .dds, studio) to filter; ltc: the matrices of linearly "
+            "transformed cosines; lobes: reads of environments along the lobe; dfg: directional albedos")
         ->required();
     command->add_option("-o,--output", options->output,
-                        "File for the table (ltc_table.bin; lobes: JSON, none unless said); its metadata "
-                        "goes beside it, as .json");
+                        "Folder for an environment (environment); file for a table (ltc_table.bin, "
+                        "dfg_table.exr; lobes: none unless said), "
+                        "its metadata beside it as .json");
+    add_environment_options(*command, *options);
+    command->add_option("--visibility", options->visibility, "With dfg: correlated, uncorrelated or schlick");
+    command->add_option("--dfg-size", options->dfg_size, "With dfg: texels a side (128)")
+        ->check(CLI::Range(2u, 1024u));
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

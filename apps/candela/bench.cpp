@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench_bake.hpp"
 #include "bench_start.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
@@ -121,14 +122,19 @@ int bench(const BenchOptions& options) {
 void add_bench(CLI::App& app, Action& action) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App* command = app.add_subcommand("bench", "Measure start-up, per-pass times and memory");
-    command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file")->required();
+    command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file");
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
     add_device_options(*command, options->job);
+    add_bench_bake(*command, action);
     command->add_option("--frames", options->frames, "Frames to take the median of")
         ->check(CLI::Range(1, 100000));
     command->add_flag(kFirstFrameOnly, options->first_frame_only, "Leave after the first frame")->group("");
-    command->callback([options, &action] { action = [options] { return bench(*options); }; });
+    command->callback([command, options, &action] {
+        if (!command->get_subcommands().empty()) return;
+        if (options->job.scene_file.empty()) throw CLI::RequiredError("SCENE");
+        action = [options] { return bench(*options); };
+    });
 }
 
 }  // namespace candela::app

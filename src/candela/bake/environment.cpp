@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "candela/bake/filter_octahedral.hpp"
 #include "candela/bake/octahedral_map.hpp"
 #include "candela/scene/environment_sources.hpp"
 #include "candela_shaders/prefilter_comp.hpp"
@@ -58,6 +59,13 @@ gpu::Image upload_levels(const gpu::Device& device, gpu::Commands& commands, std
     return image;
 }
 
+gpu::Image upload_levels(const gpu::Device& device, gpu::Commands& commands,
+                         const std::vector<OctahedralMap>& maps) {
+    std::vector<std::span<const glm::vec4>> levels;
+    for (const OctahedralMap& level : maps) levels.emplace_back(level.texels);
+    return upload_levels(device, commands, maps.front().size, maps.front().size, levels);
+}
+
 gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands, const scene::Environment& e,
                              float units_per_nit) {
     std::vector<glm::vec4> texels(e.luminance_nit.size());
@@ -68,7 +76,7 @@ gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands,
 
 /// Smooth levels are large and narrow: few samples; rough ones small and wide.
 std::int32_t sample_count(std::uint32_t level) {
-    return level == 0 ? 1 : std::min(64 << (level - 1), 256);
+    return level == 0 ? 1 : std::min(128 << (level - 1), 1024);
 }
 
 gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Image& source) {
@@ -104,6 +112,14 @@ gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Im
 
 EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
                                       const scene::Environment& e) {
+    // A processor that draws pictures does better with arithmetic of its own than with a shader's.
+    return prefilter_environment(
+        device, commands, e,
+        device.info().kind == gpu::DeviceKind::cpu ? Prefilter::processor : Prefilter::device);
+}
+
+EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
+                                      const scene::Environment& e, Prefilter where) {
     EnvironmentMaps maps;
     maps.specular_levels = kSpecularLevels;
     // Scaled so that the brightest texel is far from float's end when it is squared or summed on the way.
@@ -111,16 +127,19 @@ EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& 
     maps.nit_per_unit = peak_nit > 60000.0f ? peak_nit / 60000.0f : 1.0f;
     const float units_per_nit = e.scale / maps.nit_per_unit;
     maps.background = upload_background(device, commands, e, units_per_nit);
-
+    if (where == Prefilter::processor) {
+        const OctahedralLight light =
+            filter_octahedral(e, units_per_nit, kSpecularSize, kSpecularLevels, kIrradianceSize);
+        maps.specular = upload_levels(device, commands, light.specular);
+        maps.irradiance = upload_levels(device, commands, {light.irradiance});
+        return maps;
+    }
     std::vector<OctahedralMap> source{from_equirect(e, units_per_nit, kSpecularSize)};
     while (source.size() < kSourceLevels) source.push_back(halve(source.back()));
-    std::vector<std::span<const glm::vec4>> levels;
-    for (const OctahedralMap& level : source) levels.emplace_back(level.texels);
-    gpu::Image source_image = upload_levels(device, commands, kSpecularSize, kSpecularSize, levels);
+    gpu::Image source_image = upload_levels(device, commands, source);
     maps.specular = prefilter(device, commands, source_image);
-
-    const OctahedralMap irradiance = irradiance_over_pi(source[kIrradianceSource], kIrradianceSize);
-    maps.irradiance = upload_levels(device, commands, kIrradianceSize, kIrradianceSize, {irradiance.texels});
+    maps.irradiance =
+        upload_levels(device, commands, {irradiance_over_pi(source[kIrradianceSource], kIrradianceSize)});
     return maps;
 }
 

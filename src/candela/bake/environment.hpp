@@ -19,10 +19,15 @@ struct EnvironmentMaps {
     std::uint32_t specular_levels = 1;
 };
 
-/// Filters an environment on the device: level i of `specular` stands for perceptual roughness i / (levels -
-/// 1).
+/// Who filters: the device with a shader, or the processor by filter_octahedral.
+enum class Prefilter : std::uint8_t { device, processor };
+
+/// Filters an environment where that is quicker: level i of `specular` stands for perceptual roughness i /
+/// (levels - 1).
 [[nodiscard]] EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
                                                     const scene::Environment& environment);
+[[nodiscard]] EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
+                                                    const scene::Environment& environment, Prefilter where);
 
 enum class DfgModel : std::uint8_t { smith_correlated, ue4_schlick_smith };
 

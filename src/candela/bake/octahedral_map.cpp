@@ -50,8 +50,6 @@ class Splatter {
         return map;
     }
 
-    static void fill_gutters(OctahedralMap& map);
-
   private:
     [[nodiscard]] std::size_t texel_of(const glm::vec3& direction) const {
         const glm::vec2 e = shading::octahedral_encode(direction) * 0.5f + 0.5f;
@@ -67,9 +65,9 @@ class Splatter {
     std::vector<double> solid_angle_;
 };
 
-/// Beyond an edge the octahedron goes on along the same edge, mirrored: a gutter is the interior texel across
-/// the fold.
-void Splatter::fill_gutters(OctahedralMap& map) {
+}  // namespace
+
+void fill_gutters(OctahedralMap& map) {
     const std::uint32_t n = map.size;
     const auto at = [&](std::uint32_t x, std::uint32_t y) -> glm::vec4& {
         return map.texels[std::size_t{y} * n + x];
@@ -85,8 +83,6 @@ void Splatter::fill_gutters(OctahedralMap& map) {
     at(0, n - 1) = at(n - 2, 1);
     at(n - 1, n - 1) = at(1, 1);
 }
-
-}  // namespace
 
 glm::vec3 OctahedralMap::direction(std::uint32_t x, std::uint32_t y) const {
     const glm::vec2 center = (glm::vec2(x, y) - 0.5f) / static_cast<float>(interior());
@@ -163,7 +159,7 @@ OctahedralMap irradiance_over_pi(const OctahedralMap& source, std::uint32_t size
         std::jthread other(rows, 1u, 2u);
         rows(0, 2);
     }
-    Splatter::fill_gutters(map);
+    fill_gutters(map);
     return map;
 }
 

@@ -21,6 +21,10 @@ struct OctahedralMap {
     [[nodiscard]] glm::vec3 direction(std::uint32_t x, std::uint32_t y) const;
 };
 
+/// Beyond an edge the octahedron goes on along the same edge, mirrored: a gutter is the interior texel across
+/// the fold.
+void fill_gutters(OctahedralMap& map);
+
 /// Resamples an equirectangular environment so that every texel holds the mean of what falls into it: the sum
 /// of radiance times solid angle is that of the source, however small and bright a part of it is.
 [[nodiscard]] OctahedralMap from_equirect(const scene::Environment& environment, float scale,

@@ -1,0 +1,98 @@
+#include "bake_environment.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "candela/bake/environment.hpp"
+#include "candela/bake/filter_environment.hpp"
+#include "candela/io/environment_write.hpp"
+#include "candela/scene/error.hpp"
+#include "candela/version.hpp"
+
+namespace candela::app {
+namespace {
+
+scene::Environment read(const BakeEnvironmentOptions& options, Diagnostics& diagnostics) {
+    scene::Environment e =
+        options.environment == "studio"
+            ? bake::studio_environment()
+            : io::read_environment(options.environment, diagnostics, environment_options(options.how));
+    e.scale = options.scale;
+    e.rotation_rad = options.rotate_deg * static_cast<float>(M_PI / 180.0);
+    return e;
+}
+
+scene::RoughnessMapping mapping_of(const std::string& name) {
+    if (name == "linear") return scene::RoughnessMapping::linear;
+    if (name == "frostbite") return scene::RoughnessMapping::frostbite;
+    if (name == "filament") return scene::RoughnessMapping::filament;
+    throw Error(Fault::usage, "there is no mapping of roughness '" + name + "'", "--mapping",
+                "linear, frostbite or filament");
+}
+
+bake::FilterOptions filter_options(const BakeEnvironmentOptions& options, io::EnvironmentPreset preset) {
+    const io::FilterDemand demand = io::demand_of(preset);
+    bake::FilterOptions filter;
+    filter.size = options.size;
+    filter.sample_count = options.samples;
+    filter.irradiance_size = options.irradiance_size;
+    filter.technique = bake::filter_technique(options.technique.c_str());
+    filter.mapping = options.mapping ? mapping_of(*options.mapping)
+                                     : demand.mapping.value_or(scene::RoughnessMapping::linear);
+    filter.levels = options.levels;
+    // A preset whose coarsest level is larger ends there.
+    if (filter.levels == 0 && demand.smallest_level > 1 && options.size >= demand.smallest_level)
+        filter.levels = static_cast<std::uint32_t>(
+                            std::lround(std::log2(double(options.size) / double(demand.smallest_level)))) +
+                        1;
+    return filter;
+}
+
+}  // namespace
+
+int bake_environment(const BakeEnvironmentOptions& options) {
+    const auto preset = io::preset_by_name(options.preset);
+    if (!preset)
+        throw Error(Fault::usage, "there is no preset '" + options.preset + "'", "--preset",
+                    "candela, filament, threejs or gltf");
+    const auto format = io::cube_format_by_name(options.format);
+    if (!format)
+        throw Error(Fault::usage, "there is no format '" + options.format + "'", "--format",
+                    "ktx2, ktx2-rgb9e5, dds, exr or exr-faces");
+    const bake::FilterOptions filter = filter_options(options, *preset);
+    Diagnostics diagnostics;
+    const scene::Environment environment = read(options, diagnostics);
+    const auto start = std::chrono::steady_clock::now();
+    const scene::FilteredEnvironment filtered = bake::filter_environment(environment, filter);
+    const double milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const auto files = io::write_filtered_environment(options.folder, filtered, *format, *preset);
+    nlohmann::json names = nlohmann::json::array();
+    for (const auto& file : files) names.push_back(file.string());
+    if (options.json) {
+        const nlohmann::json out{{"version", version()},
+                                 {"environment", options.environment},
+                                 {"technique", options.technique},
+                                 {"size", filter.size},
+                                 {"levels", filtered.specular.size()},
+                                 {"filter_ms", milliseconds},
+                                 {"nit_per_unit", filtered.nit_per_unit},
+                                 {"irradiance_sh_window", filtered.irradiance_sh_window},
+                                 {"folder", options.folder},
+                                 {"files", names}};
+        std::printf("%s\n", out.dump(2).c_str());
+        return 0;
+    }
+    std::printf("%s: %zu levels from %u^2 by %s in %.0f ms, %zu files\n", options.folder.c_str(),
+                filtered.specular.size(), filter.size, options.technique.c_str(), milliseconds, files.size());
+    if (filtered.nit_per_unit != 1.0f)
+        std::printf("  stored values times %g are cd/m^2\n", double(filtered.nit_per_unit));
+    if (filtered.irradiance_sh_window > 0.0f)
+        std::printf("  harmonics windowed, lambda %g: without it they were negative\n",
+                    double(filtered.irradiance_sh_window));
+    return 0;
+}
+
+}  // namespace candela::app

@@ -1,0 +1,194 @@
+#include "candela/bake/equirect_light.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shading/environment.glsl"
+
+namespace candela::bake {
+namespace {
+
+/// As many as cost no more than the rest of the work.
+constexpr std::size_t kMostPeaks = 32;
+/// A texel stands out when it is this many times as bright as the mean of the map.
+constexpr double kPeakOverMean = 16.0;
+
+float texel_solid_angle(const EquirectLight& light, std::uint32_t row) {
+    return shading::equirect_texel_solid_angle(row, light.width, light.height);
+}
+
+float luminance(const glm::vec4& texel) {
+    return shading::luminance(glm::vec3(texel));
+}
+
+/// Of the map that peaks are looked for in.
+constexpr std::uint32_t kPeakMapWidth = 2048;
+
+EquirectLight halve(const EquirectLight& from) {
+    EquirectLight to;
+    to.width = from.width / 2;
+    to.height = from.height / 2;
+    to.rotation_rad = from.rotation_rad;
+    to.peaks = from.peaks;
+    to.texels.resize(std::size_t{to.width} * to.height);
+    tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
+        const float upper = texel_solid_angle(from, 2 * y);
+        const float lower = texel_solid_angle(from, 2 * y + 1);
+        const glm::vec4* a = from.texels.data() + std::size_t{2} * y * from.width;
+        const glm::vec4* b = a + from.width;
+        glm::vec4* out = to.texels.data() + std::size_t{y} * to.width;
+        for (std::uint32_t x = 0; x < to.width; ++x) {
+            out[x] = ((a[2 * x] + a[2 * x + 1]) * upper + (b[2 * x] + b[2 * x + 1]) * lower) /
+                     (2.0f * (upper + lower));
+        }
+    });
+    return to;
+}
+
+/// The luminance that no texel may pass: what only kMostPeaks pass, or kPeakOverMean times the mean.
+float cap_luminance(const EquirectLight& light) {
+    double sum = 0.0;
+    std::vector<float> brightest(light.texels.size());
+    for (std::uint32_t y = 0; y < light.height; ++y) {
+        double row = 0.0;
+        for (std::uint32_t x = 0; x < light.width; ++x) {
+            const std::size_t i = std::size_t{y} * light.width + x;
+            brightest[i] = luminance(light.texels[i]);
+            row += static_cast<double>(brightest[i]);
+        }
+        sum += row * static_cast<double>(texel_solid_angle(light, y));
+    }
+    const std::size_t at = std::min(kMostPeaks, brightest.size() - 1);
+    std::nth_element(brightest.begin(), brightest.begin() + static_cast<std::ptrdiff_t>(at), brightest.end(),
+                     std::greater<>());
+    // The mean of what stays below: a sun does not raise the bar for a lamp.
+    double above = 0.0;
+    for (std::uint32_t y = 0; y < light.height; ++y) {
+        for (std::uint32_t x = 0; x < light.width; ++x) {
+            const float l = luminance(light.texels[std::size_t{y} * light.width + x]);
+            if (l > brightest[at])
+                above +=
+                    static_cast<double>(l - brightest[at]) * static_cast<double>(texel_solid_angle(light, y));
+        }
+    }
+    const double mean = (sum - above) / (4.0 * M_PI);
+    return std::max(brightest[at], static_cast<float>(kPeakOverMean * mean));
+}
+
+void take_peaks(EquirectLight& light) {
+    const float cap = cap_luminance(light);
+    if (!(cap > 0.0f)) return;
+    for (std::uint32_t y = 0; y < light.height; ++y) {
+        for (std::uint32_t x = 0; x < light.width; ++x) {
+            glm::vec4& texel = light.texels[std::size_t{y} * light.width + x];
+            const float l = luminance(texel);
+            if (l <= cap) continue;
+            const glm::vec4 kept = texel * (cap / l);
+            const float across = shading::TWO_PI / static_cast<float>(light.width);
+            const float down = shading::PI / static_cast<float>(light.height);
+            light.peaks.push_back({glm::vec3(texel - kept) * texel_solid_angle(light, y),
+                                   across * (static_cast<float>(x) + 0.5f) - shading::PI,
+                                   down * (static_cast<float>(y) + 0.5f), across, down});
+            texel = kept;
+        }
+    }
+}
+
+}  // namespace
+
+glm::vec3 LightPeak::direction(float across, float down) const {
+    return shading::equirect_direction({0.5f + (azimuth_rad + across * azimuth_step_rad) / shading::TWO_PI,
+                                        (polar_rad + down * polar_step_rad) / shading::PI});
+}
+
+void for_hat(const LightPeak& peak, const std::function<void(const glm::vec3&, float)>& visit) {
+    constexpr int points = 16;
+    float shares[points * points];
+    const auto place = [](int i) {
+        return 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(points) - 1.0f;
+    };
+    float total = 0.0f;
+    for (int k = 0; k < points * points; ++k) {
+        const float down = place(k / points);
+        shares[k] = (1.0f - std::abs(place(k % points))) * (1.0f - std::abs(down)) *
+                    std::abs(std::sin(peak.polar_rad + down * peak.polar_step_rad));
+        total += shares[k];
+    }
+    for (int k = 0; k < points * points; ++k)
+        visit(peak.direction(place(k % points), place(k / points)), shares[k] / total);
+}
+
+glm::vec4 EquirectLight::read(float u, float v) const {
+    return read_texels((u - std::floor(u)) * static_cast<float>(width), v * static_cast<float>(height));
+}
+
+glm::vec4 EquirectLight::read_texels(float across, float down) const {
+    const float x = across - 0.5f;
+    const float y = std::clamp(down - 0.5f, 0.0f, static_cast<float>(height - 1));
+    // Not below -1: whole numbers from there on are what a conversion cuts off at.
+    const int left = static_cast<int>(x + 1.0f) - 1;
+    const auto top = static_cast<std::uint32_t>(y);
+    const std::uint32_t bottom = std::min(top + 1, height - 1);
+    const float fx = x - static_cast<float>(left);
+    const float fy = y - static_cast<float>(top);
+    const auto last = static_cast<int>(width) - 1;
+    const auto x0 = static_cast<std::size_t>(left < 0 ? last : std::min(left, last));
+    const std::size_t x1 = left >= last ? 0 : static_cast<std::size_t>(left + 1);
+    const glm::vec4* upper = texels.data() + std::size_t{top} * width;
+    const glm::vec4* lower = texels.data() + std::size_t{bottom} * width;
+    return glm::mix(glm::mix(upper[x0], upper[x1], fx), glm::mix(lower[x0], lower[x1], fx), fy);
+}
+
+glm::dvec3 EquirectLight::energy() const {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        glm::dvec3 row(0.0);
+        for (std::uint32_t x = 0; x < width; ++x) row += glm::dvec3(texels[std::size_t{y} * width + x]);
+        sum += row * static_cast<double>(texel_solid_angle(*this, y));
+    }
+    for (const LightPeak& peak : peaks) sum += glm::dvec3(peak.power);
+    return sum;
+}
+
+EquirectLight equirect_light(const scene::Environment& environment, float scale,
+                             std::uint32_t largest_width) {
+    EquirectLight light;
+    light.width = environment.width;
+    light.height = environment.height;
+    light.rotation_rad = environment.rotation_rad;
+    light.texels.resize(environment.luminance_nit.size());
+    std::transform(environment.luminance_nit.begin(), environment.luminance_nit.end(), light.texels.begin(),
+                   [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
+    const auto halve_to = [&light](std::uint32_t width) {
+        while (light.width > width && light.width % 2 == 0 && light.height % 2 == 0) light = halve(light);
+    };
+    // Peaks where they are, however small the map is made.
+    halve_to(std::max(largest_width, kPeakMapWidth));
+    take_peaks(light);
+    halve_to(largest_width);
+    light.lowest = light.highest = light.texels.front();
+    for (const glm::vec4& texel : light.texels) {
+        light.lowest = glm::min(light.lowest, texel);
+        light.highest = glm::max(light.highest, texel);
+    }
+    return light;
+}
+
+EquirectLight refined(const EquirectLight& light, std::uint32_t factor) {
+    EquirectLight to = light;
+    to.width *= factor;
+    to.height *= factor;
+    to.texels.resize(std::size_t{to.width} * to.height);
+    tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
+        for (std::uint32_t x = 0; x < to.width; ++x) {
+            to.texels[std::size_t{y} * to.width + x] =
+                light.read((static_cast<float>(x) + 0.5f) / static_cast<float>(to.width),
+                           (static_cast<float>(y) + 0.5f) / static_cast<float>(to.height));
+        }
+    });
+    return to;
+}
+
+}  // namespace candela::bake
