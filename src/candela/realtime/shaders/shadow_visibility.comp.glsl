@@ -1,0 +1,103 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// How much of one light each pixel sees: a byte a pixel, an invocation a square of four. A pass of its own for each light,
+// so that its record is the same for all invocations and the code is that of its kind and shape alone.
+#include "frame.glsl"
+
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint kKind = 0u;
+layout(constant_id = 1) const int kShape = 0;
+
+layout(set = 0, binding = 2) uniform sampler2D shadow_atlas;
+#include "shadow_lookup.glsl"
+#include "shadow_receivers.glsl"
+
+layout(set = 0, binding = 1, std140) uniform Records { ShadowRecord records[kRecordsPerLight]; };
+layout(set = 0, binding = 3) uniform usampler2D receiver_image;
+layout(set = 0, binding = 4, std430) writeonly buffer Visibilities { uint visibilities[]; };
+layout(push_constant) uniform Area {
+    ivec4 tiles;  // x, y first; z, w one after the last
+    int slot;
+} area;
+
+// Each pixel of a square searches for all of them.
+const uint kSearchTaps = 3u;
+
+ivec2 pixel_of(ivec2 corner, uint i) { return min(corner + ivec2(i & 1u, i >> 1u), frame.size.xy - 1); }
+
+ShadowRecord record_for(vec3 position_m, ivec2 pixel) {
+    ShadowRecord r = records[0];
+    if (kKind != kShadowCascades) return r;
+    int count = int(records[0].faces.w);
+    float noise = shadow_noise(pixel, 3u);
+    bool held = false;
+    for (int i = 0; i < kRecordsPerLight - 1; ++i) {
+        held = held || i >= count - 1 || cascade_holds(records[i], position_m, noise);
+        ShadowRecord next = records[i + 1];
+        // The rest is the same for all cascades.
+        r.right.w = held ? r.right.w : next.right.w;
+        r.up.w = held ? r.up.w : next.up.w;
+        r.texels = held ? r.texels : next.texels;
+        r.numbers = held ? r.numbers : next.numbers;
+    }
+    return r;
+}
+
+ShadowReceiver receiver_at(ivec2 pixel, out ShadowRecord record) {
+    vec3 position_m;
+    vec4 facet;
+    unpack_receiver(texelFetch(receiver_image, pixel, 0), position_m, facet);
+    record = record_for(position_m, pixel);
+    return shadow_receiver(kKind, record, position_m, facet);
+}
+
+bool behind_light(ShadowRecord record, ShadowReceiver r) {
+    return kKind == kShadowPerspective && r.point.z <= record.numbers.y;
+}
+
+uint in_byte(float visibility, uint i) { return uint(visibility * 255.0 + 0.5) << (8u * i); }
+
+uint point_square(ivec2 corner) {
+    uint bytes = 0u;
+    for (uint i = 0u; i < 4u; ++i) {
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        bytes |= in_byte(behind_light(record, r) ? 1.0 : point_visibility(kKind, record, r), i);
+    }
+    return bytes;
+}
+
+// What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
+// the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
+uint soft_square(ivec2 corner) {
+    vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
+    float shift = shadow_noise(corner >> 1, 2u);
+    vec2 found = vec2(0.0);
+    for (uint i = 0u; i < 4u; ++i) {
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        search_blockers(kKind, kShape, record, r, i * kSearchTaps, kSearchTaps, 4u * kSearchTaps, turn, shift, found);
+    }
+    if (found.x == 0.0) return 0xffffffffu;
+    bool partly = found.x < float(4u * kSearchTaps);
+    uint bytes = 0u;
+    for (uint i = 0u; i < (partly ? 4u : 0u); ++i) {
+        ivec2 pixel = pixel_of(corner, i);
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel, record);
+        vec2 turn = vec2(shadow_noise(pixel, 1u), shadow_noise(pixel, 0u));
+        float visibility = filter_visibility(kKind, kShape, record, r, found.y / found.x, turn, partly ? kFilterTaps : 0u);
+        bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
+    }
+    return bytes;
+}
+
+void main() {
+    // A workgroup has four tiles in a row, an invocation a square of 2 x 2 pixels of one.
+    ivec2 tile = area.tiles.xy + ivec2(gl_WorkGroupID.xy) * ivec2(4, 1) + ivec2(gl_LocalInvocationIndex >> 4u, 0);
+    if (any(greaterThanEqual(tile, area.tiles.zw))) return;
+    int quad = int(gl_LocalInvocationIndex & 15u);
+    ivec2 corner = tile * 8 + 2 * ivec2(quad & 3, quad >> 2);
+    uint bytes = kShape == kShapePoint ? point_square(corner) : soft_square(corner);
+    visibilities[(area.slot * frame.tiles.z + tile.y * frame.tiles.x + tile.x) * 16 + quad] = bytes;
+}
