@@ -12,6 +12,7 @@ layout(set = 0, binding = 10, std430) readonly buffer ShadowRecords { ShadowReco
 const uint kShadowSoft = 8u;
 const int kFilterPcss = 0;
 const uint kSearchTaps = 12u;
+const uint kFilterTaps = 16u;
 const int kRememberedLights = 64;
 
 uint remembered_visibility[kRememberedLights / 4];
@@ -38,9 +39,9 @@ float looked_up_visibility(Light light, vec3 position_m, vec4 facet, ivec2 pixel
     }
     vec2 turn = vec2(shadow_noise(pixel, 0u), shadow_noise(pixel, 1u));
     vec2 found = vec2(0.0);
-    search_blockers(kind, shape, record, r, 0u, kSearchTaps, kSearchTaps, turn, shadow_noise(pixel, 2u), found);
+    search_blockers(kind, shape, record, r, 0u, kAlone, kSearchTaps, turn, shadow_noise(pixel, 2u), found);
     if (found.x == 0.0) return 1.0;
-    return filter_visibility(kind, shape, record, r, found.y / found.x, turn.yx, kFilterTaps);
+    return filter_visibility(kind, shape, record, r, found.y / found.x, 0u, kAlone, kFilterTaps, turn.yx);
 }
 
 // at: of the first entry of the list (light_loop.glsl).

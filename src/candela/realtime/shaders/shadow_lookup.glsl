@@ -33,8 +33,6 @@ struct ShadowRecord {
 // Of every light; distant ones have one a cascade, the others use the first.
 const int kRecordsPerLight = 4;
 
-const uint kFilterTaps = 16u;
-
 // Heights above the receiver's plane that are taken for the plane itself, as a share of the distance and in texels: what
 // float depth and curved surfaces make of a plane.
 const float kPlaneSlope = 0.01;
@@ -176,28 +174,57 @@ bool in_the_way(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at
     return share > 0.0 && height > tolerance_m && !beyond;
 }
 
-// Point i of the light, in units of its extent, from a Fibonacci spiral or lattice turned by the pixel's own numbers.
-vec2 light_point(bool round_shape, uint i, uint count, vec2 turn) {
-    float along = (float(i) + turn.y) / float(count);
-    float around = fract(float(i) * kSpreadAround + turn.x);
-    if (!round_shape) return vec2(around, along) * 2.0 - 1.0;
-    return sqrt(along) * vec2(cos(TWO_PI * around), sin(TWO_PI * around));
-}
+// Points of the light in units of its extent, one after the other: of a Fibonacci spiral on round shapes, of a Fibonacci
+// lattice on others, each turned by the pixel's own numbers. The four pixels of a square share one set and take every
+// fourth. The spiral turns by a rotation: sines in every lookup would cost more than the lookup.
+struct LightPoints {
+    vec2 around;  // unit; others than round: x in [0,1)
+    float along;  // in [0,1)
+    float step;
+};
+const uint kAlone = 1u;
+const uint kInSquare = 4u;
 bool is_round(int shape) { return shape == kShapeFacingDisc || shape == kShapeDisc; }
+// Unit vector of a turn in [0,1), spread a little unevenly: parabolas for sine and cosine, which a software device calls one
+// lane after the other.
+vec2 turned(float turn) {
+    vec2 x = fract(vec2(turn + 0.25, turn)) * 2.0 - 1.0;
+    vec2 v = x * (1.0 - abs(x));
+    return v * inversesqrt(dot(v, v));
+}
+LightPoints light_points(int shape, uint first, uint stride, uint count, vec2 turn) {
+    float around = fract(float(first) * kSpreadAround + turn.x);
+    LightPoints p;
+    p.around = is_round(shape) ? turned(around) : vec2(around, 0.0);
+    p.step = 1.0 / float(count);
+    p.along = (float(first) / float(stride) + turn.y) * p.step;
+    return p;
+}
+vec2 next_point(int shape, uint stride, inout LightPoints p) {
+    vec2 point = is_round(shape) ? sqrt(p.along) * p.around : vec2(p.around.x, p.along) * 2.0 - 1.0;
+    // Cosine and sine of one turn and of four by the golden ratio.
+    vec2 golden = stride == kAlone ? vec2(-0.7373688781, -0.6754902943) : vec2(-0.9847134853, 0.1741819504);
+    p.around = is_round(shape) ? vec2(p.around.x * golden.x - p.around.y * golden.y,
+                                      p.around.x * golden.y + p.around.y * golden.x)
+                               : vec2(fract(p.around.x + float(stride) * kSpreadAround), 0.0);
+    p.along += p.step;
+    return point;
+}
 
 // Percentage-closer soft shadows (Fernando 2005): first how far away what is in the way is on average, then the share of
 // the light that it hides at that distance. Changed: both look along ways to points of the light's real shape, so the
 // kernel is that shape seen through the blockers (for a light of width w, w (d_r - d_b) / d_b on the receiver), and
 // points below the receiver's horizon do not count, which keeps the gradient of wrap lighting (Frostbite 4.10.4, Figure 68).
 //
-// Lookups first...first + count - 1 of `all` for what is in the way; xy += how many found something, and how far along.
-void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r, uint first, uint count, uint all,
+// Some lookups for what is in the way; xy += how many found something, and how far along.
+void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r, uint first, uint stride, uint lookups,
                      vec2 turn, float shift, inout vec2 found) {
     ShadowExtent e = shadow_extent(shape, record, r.to_light);
     float farthest = kind == kShadowCascades ? r.point.z : 0.95;
-    for (uint i = first; i < first + count; ++i) {
-        vec2 p = light_point(is_round(shape), i, all, turn);
-        float way = farthest * fract(float(i) * kSpreadAlong + shift);
+    LightPoints points = light_points(shape, first, stride, lookups, turn);
+    for (uint i = 0u; i < lookups; ++i) {
+        vec2 p = next_point(shape, stride, points);
+        float way = farthest * fract(float(first + i * stride) * kSpreadAlong + shift);
         float share;
         if (in_the_way(kind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
             found += vec2(1.0, share);
@@ -205,8 +232,9 @@ void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r
     }
 }
 
-// The share of the light that is seen past blockers at that share of the way. lookups: kFilterTaps, or 0 to do without.
-float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, vec2 turn, uint lookups) {
+// The share of the light that is seen past blockers at that share of the way; 0 without lookups.
+float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, uint first, uint stride,
+                        uint lookups, vec2 turn) {
     ShadowExtent e = shadow_extent(shape, record, r.to_light);
     // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
     float depth = kind == kShadowCascades ? 1.0 : length(r.point + way * r.to_light);
@@ -214,8 +242,9 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
     float spread = clamp(1.0 - 0.5 * kernel_texels, 0.0, 1.0);
     float seen = 0.0;
     float all = 0.0;
+    LightPoints points = light_points(shape, first, stride, lookups, turn);
     for (uint i = 0u; i < lookups; ++i) {
-        vec2 p = light_point(is_round(shape), i, kFilterTaps, turn);
+        vec2 p = next_point(shape, stride, points);
         vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
         float weight = max(dot(r.normal, to_point), 0.0);
         all += weight;
@@ -223,6 +252,12 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
         if (!in_the_way(kind, record, r, r.point + way * to_point, p * spread, share)) seen += weight;
     }
     return all > 0.0 ? seen / all : 1.0;
+}
+
+// How wide the gradient is that blockers at that share of the way throw, m.
+float penumbra_width(uint kind, ShadowRecord record, float way) {
+    float size = 2.0 * min(record.extent.x, record.extent.y);
+    return size * (kind == kShadowCascades ? way : way / max(1.0 - way, 0.05));
 }
 
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in

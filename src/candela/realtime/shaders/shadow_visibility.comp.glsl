@@ -20,8 +20,11 @@ layout(push_constant) uniform Area {
     int slot;
 } area;
 
-// Each pixel of a square searches for all of them.
+// Of each pixel of a square; what they find is for all of them.
 const uint kSearchTaps = 3u;
+const uint kFilterTaps = 8u;
+// Gradients that are wider than that many pixels are smooth within a square.
+const float kSmooth_px = 8.0;
 
 ivec2 pixel_of(ivec2 corner, uint i) { return min(corner + ivec2(i & 1u, i >> 1u), frame.size.xy - 1); }
 
@@ -67,29 +70,51 @@ uint point_square(ivec2 corner) {
     return bytes;
 }
 
+// How much of a square's mean its pixels may take for their own: all of it where the penumbra is wide, nothing where they
+// show different surfaces.
+float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
+    vec3 across = last_m - first_m;
+    float across_m = length(across);
+    float px = penumbra_m / max(across_m * 0.7071, 1e-9);
+    bool one_surface = abs(dot(across, normal)) < 0.25 * across_m;
+    return one_surface ? clamp((px - 2.0) / (kSmooth_px - 2.0), 0.0, 1.0) : 0.0;
+}
+
 // What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
 // the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
 uint soft_square(ivec2 corner) {
-    vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
-    float shift = shadow_noise(corner >> 1, 2u);
+    // All pixels of a tile look along the same ways: what they read lies together, and the map is larger than a cache.
+    vec2 turn = vec2(shadow_noise(corner >> 3, 0u), shadow_noise(corner >> 3, 1u));
+    float shift = shadow_noise(corner >> 3, 2u);
     vec2 found = vec2(0.0);
     for (uint i = 0u; i < 4u; ++i) {
         ShadowRecord record;
         ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
-        search_blockers(kKind, kShape, record, r, i * kSearchTaps, kSearchTaps, 4u * kSearchTaps, turn, shift, found);
+        search_blockers(kKind, kShape, record, r, i, kInSquare, kSearchTaps, turn, shift, found);
     }
     if (found.x == 0.0) return 0xffffffffu;
     bool partly = found.x < float(4u * kSearchTaps);
+    float way = found.y / found.x;
+    turn = vec2(shadow_noise(corner >> 1, 1u), shadow_noise(corner >> 1, 0u));
     uint bytes = 0u;
+    vec3 first_point;
+    vec3 first_normal;
+    vec3 last_point;
     for (uint i = 0u; i < (partly ? 4u : 0u); ++i) {
-        ivec2 pixel = pixel_of(corner, i);
         ShadowRecord record;
-        ShadowReceiver r = receiver_at(pixel, record);
-        vec2 turn = vec2(shadow_noise(pixel, 1u), shadow_noise(pixel, 0u));
-        float visibility = filter_visibility(kKind, kShape, record, r, found.y / found.x, turn, partly ? kFilterTaps : 0u);
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn);
         bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
+        if (i == 0u) {
+            first_point = r.point;
+            first_normal = r.normal;
+        }
+        last_point = r.point;
     }
-    return bytes;
+    vec4 own = unpackUnorm4x8(bytes);
+    float mean = 0.25 * (own.x + own.y + own.z + own.w);
+    float share = smoothness(first_point, first_normal, last_point, penumbra_width(kKind, records[0], way));
+    return packUnorm4x8(mix(own, vec4(mean), partly ? share : 0.0));
 }
 
 void main() {
