@@ -119,6 +119,19 @@ void shrink_others(std::vector<ShadowRequest>& requests, std::uint64_t room) {
     }
 }
 
+/// The last one to shrink may have made more room than was needed.
+void grow_again(std::vector<ShadowRequest>& requests, const std::vector<ShadowRequest>& wanted,
+                std::uint64_t room) {
+    std::uint64_t sum = area(requests);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        ShadowRequest& r = requests[i];
+        while (r.kind != ShadowKind::cascades && r.size < wanted[i].size && sum + 3 * area(r) <= room) {
+            sum += 3 * area(r);
+            r.size *= 2;
+        }
+    }
+}
+
 }  // namespace
 
 ShadowKind shadow_kind(const scene::Light& light) {
@@ -185,8 +198,10 @@ ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas
     const std::uint64_t room = std::uint64_t{atlas_texels} * atlas_texels;
     const std::size_t wanted = requests.size();
     requests.resize(std::min(wanted, most_lights));
+    const std::vector<ShadowRequest> before = requests;
     shrink_cascades(requests, room);
     shrink_others(requests, room);
+    grow_again(requests, before, room);
     while (!requests.empty() && area(requests) > room) requests.pop_back();
     plan.unshadowed = static_cast<std::uint32_t>(wanted - requests.size());
     if (requests.empty()) return plan;
