@@ -20,8 +20,8 @@ layout(push_constant) uniform Area {
     int slot;
 } area;
 
-// Of two pixels of a square; what they find is for all four.
-const uint kSearchTaps = 4u;
+// Of each pixel of a square; what they find is for all four.
+const uint kSearchTaps = 3u;
 const uint kFilterTaps = 8u;
 // Gradients that are wider than that many pixels are smooth within a square.
 const float kSmooth_px = 8.0;
@@ -80,6 +80,28 @@ float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
     return one_surface ? clamp((px - 2.0) / (kSmooth_px - 2.0), 0.0, 1.0) : 0.0;
 }
 
+// Lookups of pixel i of a square for what is in the way; xy += how many found something, and how far along. Two of them towards
+// the light's edge, of which the four pixels see eight points: what hides a little of the light, or leaves a little of it,
+// covers or leaves more of its edge than of its area. One within, for what is smaller than the light.
+void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, inout vec2 found) {
+    ShadowExtent e = shadow_extent(kShape, record, r.to_light);
+    float farthest = kKind == kShadowCascades ? r.point.z : 0.95;
+    for (uint k = 0u; k < kSearchTaps; ++k) {
+        bool edge = k + 1u < kSearchTaps;
+        vec2 p = turned(fract(edge ? float(4u * k + i) * 0.125 * 3.0 + turn.x : float(i) * 0.25 + turn.y));
+        if (!is_round(kShape)) p /= max(abs(p.x), abs(p.y));
+        if (!edge) p *= 0.5;
+        float depth = fract(float(4u * k + i) * kSpreadAlong + shift);
+        // Distant lights: what is in the way is mostly near for how deep the scene is. Others: an edge is looked at best
+        // from behind what hides it.
+        float way = farthest * (kKind == kShadowCascades ? depth * depth : edge ? 0.25 + 0.75 * depth : depth);
+        float share;
+        if (in_the_way(kKind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
+            found += vec2(1.0, share);
+        }
+    }
+}
+
 // What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
 // the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
 uint soft_square(ivec2 corner) {
@@ -87,15 +109,13 @@ uint soft_square(ivec2 corner) {
     vec2 turn = vec2(shadow_noise(corner >> 3, 0u), shadow_noise(corner >> 3, 1u));
     float shift = shadow_noise(corner >> 3, 2u);
     vec2 found = vec2(0.0);
-    for (uint i = 0u; i < 2u; ++i) {
+    for (uint i = 0u; i < 4u; ++i) {
         ShadowRecord record;
-        ShadowReceiver r = receiver_at(pixel_of(corner, 3u * i), record);
-        // The other pixel's points and depths lie between those of the first.
-        vec2 own_turn = fract(turn + 0.5 * float(i));
-        search_blockers(kKind, kShape, record, r, 0u, kAlone, kSearchTaps, own_turn, shift + 0.125 * float(i), found);
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        search_square(record, r, i, turn, shift, found);
     }
     if (found.x == 0.0) return 0xffffffffu;
-    bool partly = found.x < float(2u * kSearchTaps);
+    bool partly = found.x < float(4u * kSearchTaps);
     float way = found.y / found.x;
     turn = vec2(shadow_noise(corner >> 1, 1u), shadow_noise(corner >> 1, 0u));
     uint bytes = 0u;
