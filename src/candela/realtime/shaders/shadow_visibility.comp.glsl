@@ -70,6 +70,12 @@ uint point_square(ivec2 corner) {
     return bytes;
 }
 
+// How wide the gradient is that blockers at that share of the way throw, m.
+float penumbra_width_m(float way) {
+    float size_m = records[0].extent.x + records[0].extent.y;
+    return size_m * (kKind == kShadowCascades ? way : way / max(1.0 - way, 0.05));
+}
+
 // How much of a square's mean its pixels may take for their own: all of it where the penumbra is wide, nothing where they
 // show different surfaces.
 float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
@@ -105,9 +111,8 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
 // What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
 // the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
 uint soft_square(ivec2 corner) {
-    // All pixels of a tile look along the same ways: what they read lies together, and the map is larger than a cache.
-    vec2 turn = vec2(shadow_noise(corner >> 3, 0u), shadow_noise(corner >> 3, 1u));
-    float shift = shadow_noise(corner >> 3, 2u);
+    vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
+    float shift = shadow_noise(corner >> 1, 2u);
     vec2 found = vec2(0.0);
     for (uint i = 0u; i < 4u; ++i) {
         ShadowRecord record;
@@ -117,7 +122,6 @@ uint soft_square(ivec2 corner) {
     if (found.x == 0.0) return 0xffffffffu;
     bool partly = found.x < float(4u * kSearchTaps);
     float way = found.y / found.x;
-    turn = vec2(shadow_noise(corner >> 1, 1u), shadow_noise(corner >> 1, 0u));
     uint bytes = 0u;
     vec3 first_point;
     vec3 first_normal;
@@ -125,7 +129,7 @@ uint soft_square(ivec2 corner) {
     for (uint i = 0u; i < (partly ? 4u : 0u); ++i) {
         ShadowRecord record;
         ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
-        float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn);
+        float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn.yx);
         bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
         if (i == 0u) {
             first_point = r.point;
@@ -135,7 +139,7 @@ uint soft_square(ivec2 corner) {
     }
     vec4 own = unpackUnorm4x8(bytes);
     float mean = 0.25 * (own.x + own.y + own.z + own.w);
-    float share = smoothness(first_point, first_normal, last_point, penumbra_width(kKind, records[0], way));
+    float share = smoothness(first_point, first_normal, last_point, penumbra_width_m(way));
     return packUnorm4x8(mix(own, vec4(mean), partly ? share : 0.0));
 }
 
