@@ -254,12 +254,6 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
     return all > 0.0 ? seen / all : 1.0;
 }
 
-// How wide the gradient is that blockers at that share of the way throw, m.
-float penumbra_width(uint kind, ShadowRecord record, float way) {
-    float size = 2.0 * min(record.extent.x, record.extent.y);
-    return size * (kind == kShadowCascades ? way : way / max(1.0 - way, 0.05));
-}
-
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in
 // each is compared as in_the_way() does it.
 float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
