@@ -35,6 +35,8 @@ realtime::Still render(const gpu::Device& device, const scene::Scene& s, const s
 realtime::RendererOptions shadow_options(std::uint32_t size, std::uint32_t samples = 1) {
     realtime::RendererOptions o = options("ue4", size, samples);
     o.profile.shadow_filter = realtime::ShadowFilterTechnique::pcss;
+    // That by light position lights what faces away from a light, where there is no visibility.
+    o.profile.area_diffuse = realtime::AreaDiffuseTechnique::exact;
     return o;
 }
 

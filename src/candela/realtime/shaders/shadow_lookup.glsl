@@ -197,7 +197,7 @@ LightPoints light_points(int shape, uint first, uint stride, uint count, vec2 tu
     LightPoints p;
     p.around = is_round(shape) ? turned(around) : vec2(around, 0.0);
     p.step = 1.0 / float(count);
-    p.along = (float(first) / float(stride) + turn.y) * p.step;
+    p.along = fract(float(first) / float(stride) + turn.y) * p.step;
     return p;
 }
 vec2 next_point(int shape, uint stride, inout LightPoints p) {
