@@ -35,7 +35,8 @@ std::vector<VkDescriptorType> shading_set_layout() {
             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -50,7 +51,8 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_buffer(scene.light_tables),
             gpu::bind_sampled(frame.ltc.view(), frame.clamp.get()),
             gpu::bind_buffer(frame.shadow_records),
-            gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get())};
+            gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get()),
+            gpu::bind_buffer(frame.visibilities)};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -65,6 +67,7 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.integrate_tables.buffer, gpu::Use::storage_read);
     commands.use(frame.shadow_records, gpu::Use::storage_read);
     commands.use(frame.shadow_atlas, gpu::Use::sampled);
+    commands.use(frame.visibilities, gpu::Use::storage_read);
 }
 
 }  // namespace candela::realtime

@@ -95,8 +95,10 @@ struct FrameResources {
     gpu::Buffer light_lists;
     gpu::Buffer
         tile_bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
-    gpu::Image shadow_atlas;     ///< 1 x 1 without shadows; reversed depth, one tile a view of a light
-    gpu::Buffer shadow_records;  ///< ShadowRecord, host visible
+    gpu::Image shadow_atlas;      ///< 1 x 1 without shadows; reversed depth, one tile a view of a light
+    gpu::Buffer shadow_records;   ///< ShadowRecord, host visible
+    gpu::Image shadow_receivers;  ///< shaders/shadow_receivers.glsl; 1 x 1 without shadows
+    gpu::Buffer visibilities;  ///< a byte a pixel and light: tiles of 64 bytes, of one light after the other
     std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
 
     gpu::Image dfg;
@@ -126,7 +128,7 @@ struct ShadeVariant {
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...11 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...12 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

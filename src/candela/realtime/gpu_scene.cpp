@@ -240,12 +240,11 @@ void GpuScene::upload_lights(const gpu::Device& device, gpu::Commands& commands)
     light_tables = upload(light_list.tables);
 }
 
-void GpuScene::link_shadows(const gpu::Device& device, gpu::Commands& commands,
-                            std::span<const int> records) {
+void GpuScene::link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> places) {
     if (light_list.blocks.empty()) return;
     for (std::size_t i = 0; i < light_list.blocks.size(); ++i) {
         const std::uint32_t source = light_list.sources[i];
-        if (source < records.size()) light_list.blocks[i].links.z = records[source];
+        if (source < places.size()) light_list.blocks[i].links.z = places[source];
     }
     lights = gpu::upload_buffer(device, commands, std::as_bytes(std::span(light_list.blocks)),
                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);

@@ -77,9 +77,9 @@ class GpuScene {
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
              bool with_emissive);
 
-    /// Tells the shaders where each light's shadow is: first record by index into Scene::lights, -1: none.
-    /// Submits.
-    void link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> records);
+    /// Tells the shaders where each light's shadow is: its place in the plan by index into Scene::lights, -1:
+    /// none. Submits.
+    void link_shadows(const gpu::Device& device, gpu::Commands& commands, std::span<const int> places);
 
     gpu::Buffer vertices;
     gpu::Buffer indices;

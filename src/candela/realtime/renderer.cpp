@@ -54,6 +54,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.shadow_atlas = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false);
     frame.shadow_records = gpu::Buffer(device, sizeof(ShadowRecord), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                        gpu::MemoryKind::upload);
+    frame.shadow_receivers = image(kGBufferFormat, VK_IMAGE_USAGE_STORAGE_BIT, frame.shadow_kinds != 0);
+    frame.visibilities = gpu::Buffer(device, sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                     gpu::MemoryKind::device);
     frame.frame_block =
         gpu::Buffer(device, sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::upload);
 
@@ -218,6 +221,7 @@ void Renderer::State::record_light(const scene::Camera& camera) {
     shapes.record(commands, frame, gpu_scene);
     classify.record(commands, frame);
     cull.record(commands, frame, gpu_scene);
+    shadows.record_visibility(commands, frame, camera);
     lighting.record(commands, frame, gpu_scene);
     forward.record(commands, frame, gpu_scene, glm::vec3(camera.world[3]),
                    glm::normalize(glm::vec3(camera.world[2])));

@@ -43,6 +43,16 @@ bool still_fits(const std::vector<ShadowRequest>& planned, const std::vector<Sha
                       });
 }
 
+/// Of the scene, then of emissive surfaces; none when nothing has shadows.
+std::vector<scene::Light> lights_of(const FrameResources& frame, const GpuScene& gpu_scene,
+                                    const scene::Scene& scene) {
+    if (!frame.shadow_kinds) return {};
+    std::vector<scene::Light> lights = scene.lights;
+    const std::vector<scene::Light>& emissive = gpu_scene.light_list.emissive_shapes;
+    lights.insert(lights.end(), emissive.begin(), emissive.end());
+    return lights;
+}
+
 }  // namespace
 
 std::uint32_t shadow_kind_bits(const scene::Scene& scene, std::span<const scene::Light> emissive_shapes) {
@@ -62,13 +72,12 @@ ShadowPass::ShadowPass(const gpu::Device& device, const FrameResources& frame, c
     : device_(&device),
       budget_texels_(atlas_texels),
       bounds_(scene::world_bounds(scene)),
+      lights_(lights_of(frame, gpu_scene, scene)),
+      visibility_(device, frame, lights_),
+      first_emissive_(static_cast<std::uint32_t>(scene.lights.size())),
       layout_(device, {{{}, GpuScene::material_set_layout()}, 64}),
       descriptors_(device) {
     if (!frame.shadow_kinds) return;
-    lights_ = scene.lights;
-    first_emissive_ = static_cast<std::uint32_t>(lights_.size());
-    const std::vector<scene::Light>& emissive = gpu_scene.light_list.emissive_shapes;
-    lights_.insert(lights_.end(), emissive.begin(), emissive.end());
     make_pipelines(frame, gpu_scene);
 }
 
@@ -108,27 +117,34 @@ void ShadowPass::set_plan(gpu::Commands& commands, FrameResources& frame, GpuSce
                                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
         fresh_atlas_ = true;
     }
-    std::vector<int> first_record(lights_.size(), -1);
-    records_.clear();
+    std::vector<int> slots(lights_.size(), -1);
+    records_.assign(std::max<std::size_t>(1, plan_.lights.size()) * kRecordsPerLight, {});
     pending_.clear();
     cascades_.clear();
-    for (const LightShadow& shadow : plan_.lights) {
-        first_record[shadow.light] = static_cast<int>(records_.size());
-        if (shadow.kind == ShadowKind::cascades) {
-            records_.resize(records_.size() + kCascades);
-            continue;
-        }
+    for (std::size_t slot = 0; slot < plan_.lights.size(); ++slot) {
+        const LightShadow& shadow = plan_.lights[slot];
+        slots[shadow.light] = static_cast<int>(slot);
+        if (shadow.kind == ShadowKind::cascades) continue;
         LightViews views = local_views(lights_[shadow.light], shadow);
         for (ShadowView& view : views.views) view.of_emissive_surface = shadow.light >= first_emissive_;
-        records_.insert(records_.end(), views.records.begin(), views.records.end());
+        set_records(slot, views.records);
         pending_.insert(pending_.end(), views.views.begin(), views.views.end());
     }
-    gpu_scene.link_shadows(*device_, commands, first_record);
-    const std::size_t bytes = std::max<std::size_t>(1, records_.size()) * sizeof(ShadowRecord);
+    gpu_scene.link_shadows(*device_, commands, slots);
+    const std::size_t bytes = records_.size() * sizeof(ShadowRecord);
     if (frame.shadow_records.size() < bytes) {
-        frame.shadow_records =
-            gpu::Buffer(*device_, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryKind::upload);
+        frame.shadow_records = gpu::Buffer(
+            *device_, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+            gpu::MemoryKind::upload);
     }
+    ShadowVisibilityPass::reserve(*device_, frame, plan_.lights.size());
+}
+
+void ShadowPass::set_records(std::size_t slot, std::span<const ShadowRecord> records) {
+    ShadowRecord* out = &records_[slot * kRecordsPerLight];
+    std::copy(records.begin(), records.end(), out);
+    for (std::size_t i = 0; i < records.size(); ++i)
+        out[i].extent.w = 1.0f / static_cast<float>(plan_.atlas_texels);
 }
 
 void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene,
@@ -138,19 +154,17 @@ void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScen
         shadow_requests(lights_, bounds_, camera, frame.width, frame.height);
     if (!still_fits(planned_for_, wanted)) {
         planned_for_ = wanted;
-        set_plan(commands, frame, gpu_scene, plan_shadows(wanted, budget_texels_));
+        set_plan(commands, frame, gpu_scene,
+                 plan_shadows(wanted, budget_texels_, ShadowVisibilityPass::most_lights(frame)));
     }
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     std::vector<ShadowView> cascades;
-    std::size_t next = 0;
-    for (const LightShadow& shadow : plan_.lights) {
-        if (shadow.kind == ShadowKind::cascades) {
-            const LightViews views = cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_);
-            std::copy(views.records.begin(), views.records.end(),
-                      records_.begin() + static_cast<std::ptrdiff_t>(next));
-            cascades.insert(cascades.end(), views.views.begin(), views.views.end());
-        }
-        next += shadow.kind == ShadowKind::cascades ? kCascades : 1;
+    for (std::size_t slot = 0; slot < plan_.lights.size(); ++slot) {
+        const LightShadow& shadow = plan_.lights[slot];
+        if (shadow.kind != ShadowKind::cascades) continue;
+        const LightViews views = cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_);
+        set_records(slot, views.records);
+        cascades.insert(cascades.end(), views.views.begin(), views.views.end());
     }
     std::memcpy(frame.shadow_records.mapped(), records_.data(), records_.size() * sizeof(ShadowRecord));
     if (moving || cascades != cascades_) {
@@ -179,6 +193,11 @@ void ShadowPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.end_rendering();
     pending_.clear();
     fresh_atlas_ = false;
+}
+
+void ShadowPass::record_visibility(gpu::Commands& commands, FrameResources& frame,
+                                   const scene::Camera& camera) const {
+    if (frame.shadow_kinds) visibility_.record(commands, frame, plan_, lights_, camera);
 }
 
 void ShadowPass::draw(gpu::Commands& commands, const ShadowView& view, const GpuScene& gpu_scene) {

@@ -4,11 +4,13 @@
 
 #include "candela/realtime/frame_resources.hpp"
 #include "candela/realtime/shadow_views.hpp"
+#include "candela/realtime/shadow_visibility_pass.hpp"
 
 namespace candela::realtime {
 
-/// Pass 0: the shadow atlas. Every light that casts shadows draws the scene's opaque and masked surfaces as
-/// it sees them; blended ones let all light through. What does not follow the camera is drawn once.
+/// Pass 0: the shadow atlas, and before surfaces are lit what they see of its lights. Every light that casts
+/// shadows draws the scene's opaque and masked surfaces as it sees them; blended ones let all light through.
+/// What does not follow the camera is drawn once.
 class ShadowPass {
   public:
     ShadowPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& gpu_scene,
@@ -19,6 +21,8 @@ class ShadowPass {
     void prepare(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene,
                  const scene::Camera& camera, bool moving);
     void record(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene);
+    /// After the surfaces are drawn: what they see of each light.
+    void record_visibility(gpu::Commands& commands, FrameResources& frame, const scene::Camera& camera) const;
 
     /// Lights that should cast shadows but found no room in the atlas.
     [[nodiscard]] std::uint32_t unshadowed() const noexcept { return plan_.unshadowed; }
@@ -26,12 +30,14 @@ class ShadowPass {
   private:
     void make_pipelines(const FrameResources& frame, const GpuScene& gpu_scene);
     void set_plan(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene, ShadowPlan plan);
+    void set_records(std::size_t slot, std::span<const ShadowRecord> records);
     void draw(gpu::Commands& commands, const ShadowView& view, const GpuScene& gpu_scene);
 
     const gpu::Device* device_;
     std::uint32_t budget_texels_;
     scene::Aabb bounds_;
     std::vector<scene::Light> lights_;  ///< of the scene, then emissive surfaces
+    ShadowVisibilityPass visibility_;
     std::uint32_t first_emissive_ = 0;
     ShadowPlan plan_;
     std::vector<ShadowRequest> planned_for_;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace candela::realtime {
 namespace {
@@ -73,6 +74,64 @@ std::uint64_t area(const ShadowRequest& r) {
     return std::uint64_t{shadow_tiles(r.kind)} * r.size * r.size;
 }
 
+std::uint64_t area(const std::vector<ShadowRequest>& requests) {
+    std::uint64_t sum = 0;
+    for (const ShadowRequest& r : requests) sum += area(r);
+    return sum;
+}
+
+/// Cascades cover the picture: they shrink only to leave half of the atlas to lights that have nothing else.
+void shrink_cascades(std::vector<ShadowRequest>& requests, std::uint64_t room) {
+    const auto is_cascades = [](const ShadowRequest& r) { return r.kind == ShadowKind::cascades; };
+    const bool alone = std::all_of(requests.begin(), requests.end(), is_cascades);
+    const std::uint64_t most = area(requests) <= room || alone ? room : room / 2;
+    std::uint64_t sum = 0;
+    for (const ShadowRequest& r : requests) sum += is_cascades(r) ? area(r) : 0;
+    for (; sum > most; sum /= 4) {
+        for (ShadowRequest& r : requests)
+            if (is_cascades(r)) r.size = std::max(r.size / 2, kShadowTileUnit);
+    }
+}
+
+void shrink_others(std::vector<ShadowRequest>& requests, std::uint64_t room) {
+    // Texels for what they cover; of two that have as many, the less important one goes first.
+    const auto later = [](const ShadowRequest* a, const ShadowRequest* b) {
+        const float x = static_cast<float>(a->size) * std::max(b->coverage, 1e-3f);
+        const float y = static_cast<float>(b->size) * std::max(a->coverage, 1e-3f);
+        return x != y ? x < y : a->importance > b->importance;
+    };
+    std::vector<ShadowRequest*> heap;
+    for (ShadowRequest& r : requests)
+        if (r.kind != ShadowKind::cascades && r.size > kShadowTileUnit) heap.push_back(&r);
+    std::make_heap(heap.begin(), heap.end(), later);
+    std::uint64_t sum = area(requests);
+    while (sum > room && !heap.empty()) {
+        std::pop_heap(heap.begin(), heap.end(), later);
+        ShadowRequest& r = *heap.back();
+        sum -= area(r);
+        r.size /= 2;
+        sum += area(r);
+        if (r.size > kShadowTileUnit) {
+            std::push_heap(heap.begin(), heap.end(), later);
+        } else {
+            heap.pop_back();
+        }
+    }
+}
+
+/// The last one to shrink may have made more room than was needed.
+void grow_again(std::vector<ShadowRequest>& requests, const std::vector<ShadowRequest>& wanted,
+                std::uint64_t room) {
+    std::uint64_t sum = area(requests);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        ShadowRequest& r = requests[i];
+        while (r.kind != ShadowKind::cascades && r.size < wanted[i].size && sum + 3 * area(r) <= room) {
+            sum += 3 * area(r);
+            r.size *= 2;
+        }
+    }
+}
+
 }  // namespace
 
 ShadowKind shadow_kind(const scene::Light& light) {
@@ -118,6 +177,7 @@ std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& ligh
             const float reach = reach_m(light, bounds);
             const float coverage = screen_coverage(light, reach, camera);
             const float half_m = std::max(0.5f * reach, 0.01f);
+            r.coverage = coverage;
             r.importance = coverage * luminous_intensity_cd(light) / (half_m * half_m);
             texels = coverage * pixels * (r.kind == ShadowKind::cube ? 0.5f : 1.0f);
         }
@@ -128,33 +188,36 @@ std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& ligh
     return requests;
 }
 
-ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas_texels) {
+ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas_texels,
+                        std::size_t most_lights) {
     ShadowPlan plan;
-    if (requests.empty()) return plan;
     std::stable_sort(requests.begin(), requests.end(), [](const ShadowRequest& a, const ShadowRequest& b) {
         return a.importance > b.importance;
     });
     atlas_texels = std::bit_floor(std::max(atlas_texels, kShadowTileUnit));
     const std::uint64_t room = std::uint64_t{atlas_texels} * atlas_texels;
-    const auto total = [&] {
-        std::uint64_t sum = 0;
-        for (const ShadowRequest& r : requests) sum += area(r);
-        return sum;
-    };
-    for (std::uint32_t largest = kLargestTile; total() > room && largest > kShadowTileUnit; largest /= 2) {
-        for (ShadowRequest& r : requests) r.size = std::max(r.size / 2, kShadowTileUnit);
-    }
-    while (!requests.empty() && total() > room) {
-        requests.pop_back();
-        ++plan.unshadowed;
-    }
+    const std::size_t wanted = requests.size();
+    requests.resize(std::min(wanted, most_lights));
+    const std::vector<ShadowRequest> before = requests;
+    shrink_cascades(requests, room);
+    shrink_others(requests, room);
+    grow_again(requests, before, room);
+    while (!requests.empty() && area(requests) > room) requests.pop_back();
+    plan.unshadowed = static_cast<std::uint32_t>(wanted - requests.size());
+    if (requests.empty()) return plan;
+
     // Squares whose sides are powers of two, from large to small along the Z-order curve, leave no gaps.
-    std::stable_sort(requests.begin(), requests.end(),
-                     [](const ShadowRequest& a, const ShadowRequest& b) { return a.size > b.size; });
+    std::vector<std::size_t> order(requests.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return requests[a].size > requests[b].size; });
     std::uint64_t next = 0;
-    std::uint32_t side = requests.empty() ? 0 : requests.front().size;
-    for (const ShadowRequest& r : requests) {
-        LightShadow shadow{r.light, r.kind, {}};
+    std::uint32_t side = 0;
+    plan.lights.resize(requests.size());
+    for (const std::size_t i : order) {
+        const ShadowRequest& r = requests[i];
+        LightShadow& shadow = plan.lights[i];
+        shadow = {r.light, r.kind, {}};
         for (std::uint32_t t = 0; t < shadow_tiles(r.kind); ++t) {
             const auto z = static_cast<std::uint32_t>(next / (kShadowTileUnit * kShadowTileUnit));
             AtlasTile& tile = shadow.tiles[t];
@@ -162,7 +225,6 @@ ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas
             next += std::uint64_t{r.size} * r.size;
             side = std::max({side, tile.x + r.size, tile.y + r.size});
         }
-        plan.lights.push_back(shadow);
     }
     plan.atlas_texels = std::bit_ceil(side);
     return plan;

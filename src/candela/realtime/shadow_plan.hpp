@@ -2,13 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "candela/scene/scene.hpp"
 
 namespace candela::realtime {
 
-/// How a light looks at the scene. The numbers are those of shaders/shadows.glsl.
+/// How a light looks at the scene. The numbers are those of shaders/shadow_lookup.glsl.
 enum class ShadowKind : std::uint32_t {
     cascades,     ///< distant lights: parallel projections along the camera's view
     perspective,  ///< one pyramid: narrow spots, frusta, one-sided disks and rectangles
@@ -38,9 +39,9 @@ struct LightShadow {
 
 /// Which lights have shadows, and where in the atlas.
 struct ShadowPlan {
-    std::vector<LightShadow> lights;
-    std::uint32_t atlas_texels = 0;  ///< side; a power of two
-    std::uint32_t unshadowed = 0;    ///< lights that should cast shadows but found no room
+    std::vector<LightShadow> lights;  ///< the most important one first
+    std::uint32_t atlas_texels = 0;   ///< side; a power of two
+    std::uint32_t unshadowed = 0;     ///< lights that should cast shadows but found no room
 };
 
 /// What a light asks for.
@@ -49,6 +50,7 @@ struct ShadowRequest {
     ShadowKind kind = ShadowKind::perspective;
     std::uint32_t size = 0;  ///< of a tile: a power of two
     float importance = 0.0f;
+    float coverage = 1.0f;  ///< of the picture's height
 };
 
 /// One request a light that casts shadows: tiles as fine as the picture's pixels where the light reaches, and
@@ -58,8 +60,11 @@ struct ShadowRequest {
                                                          const scene::Camera& camera, std::uint32_t width,
                                                          std::uint32_t height);
 
-/// Puts the requests into an atlas of at most atlas_texels a side. When they are too many all tiles shrink
-/// alike, down to the smallest; after that the least important lights go without.
-[[nodiscard]] ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas_texels);
+/// Puts the requests into an atlas of at most atlas_texels a side. When they are too many, cascades keep half
+/// of the atlas if they ask for it; of the other tiles, the largest for what they cover of the picture shrink
+/// first, down to the smallest size. After that the least important lights go without, and those after the
+/// first most_lights.
+[[nodiscard]] ShadowPlan plan_shadows(std::vector<ShadowRequest> requests, std::uint32_t atlas_texels,
+                                      std::size_t most_lights = std::numeric_limits<std::size_t>::max());
 
 }  // namespace candela::realtime

@@ -33,29 +33,30 @@ glm::vec2 tile_center(const AtlasTile& tile) {
 }
 
 glm::vec4 extent_of(const scene::Light& light) {
-    const auto of = [](float x, float y, ShadowShape shape) {
-        return glm::vec4(x, y, static_cast<float>(shape), 0.0f);
-    };
+    glm::vec2 half_m(0.0f);
     switch (light.type) {
-        case scene::LightType::sun: {
-            const float r = std::tan(0.5f * light.angular_diameter_rad);
-            return of(r, r, ShadowShape::facing_disc);
-        }
+        case scene::LightType::sun:
+            half_m = glm::vec2(std::tan(0.5f * light.angular_diameter_rad));
+            break;
         case scene::LightType::sphere:
-            return of(light.radius_m, light.radius_m, ShadowShape::facing_disc);
         case scene::LightType::disk:
-            return of(light.radius_m, light.radius_m, ShadowShape::disc);
+            half_m = glm::vec2(light.radius_m);
+            break;
         case scene::LightType::rectangle:
-            return of(light.half_width_m, light.half_height_m, ShadowShape::rectangle);
+            half_m = {light.half_width_m, light.half_height_m};
+            break;
         case scene::LightType::line:
-            return of(light.half_width_m, 0.0f, ShadowShape::tube);
+            half_m = {light.half_width_m, 0.0f};
+            break;
         case scene::LightType::tube:
             // The rectangle with the capsule's own outline area: half circles of radius r are as wide as pi r
             // / 4.
-            return of(light.half_width_m + 0.785398f * light.radius_m, light.radius_m, ShadowShape::tube);
+            half_m = {light.half_width_m + 0.785398f * light.radius_m, light.radius_m};
+            break;
         default:
-            return of(0.0f, 0.0f, ShadowShape::point);
+            break;
     }
+    return {half_m, static_cast<float>(shadow_shape(light)), 0.0f};
 }
 
 /// x/tan, y/tan, near/z: depth is 1 at the near plane and 0 infinitely far.
@@ -100,8 +101,8 @@ LightViews cube(const scene::Light& light, const LightShadow& shadow) {
     const float near = std::max(kPunctualNear_m, 0.577f * light.radius_m);
     const float half = 0.5f * static_cast<float>(shadow.tiles[0].size);
     ShadowRecord r{};
-    const std::array axes{row({1, 0, 0}, light.position), row({0, 1, 0}, light.position),
-                          row({0, 0, 1}, light.position)};
+    const std::array axes{row(light.right, light.position), row(light.up(), light.position),
+                          row(light.direction, light.position)};
     r.right = axes[0];
     r.up = axes[1];
     r.forward = axes[2];
@@ -171,6 +172,23 @@ float split(const glm::vec2& range, std::uint32_t i) {
 }
 
 }  // namespace
+
+ShadowShape shadow_shape(const scene::Light& light) {
+    switch (light.type) {
+        case scene::LightType::sun:
+        case scene::LightType::sphere:
+            return ShadowShape::facing_disc;
+        case scene::LightType::disk:
+            return ShadowShape::disc;
+        case scene::LightType::rectangle:
+            return ShadowShape::rectangle;
+        case scene::LightType::line:
+        case scene::LightType::tube:
+            return ShadowShape::tube;
+        default:
+            return ShadowShape::point;
+    }
+}
 
 LightViews local_views(const scene::Light& light, const LightShadow& shadow) {
     return shadow.kind == ShadowKind::cube ? cube(light, shadow) : pyramid(light, shadow.tiles[0]);

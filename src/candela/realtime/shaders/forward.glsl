@@ -2,6 +2,10 @@
 #ifndef CANDELA_FORWARD_GLSL
 #define CANDELA_FORWARD_GLSL
 
+#ifndef CANDELA_WITHOUT_SHADOWS
+#define CANDELA_SHADOWS_BY_LOOKUP
+#endif
+
 #include "frame.glsl"
 #include "material.glsl"
 #include "shade.glsl"

@@ -5,7 +5,6 @@
 
 #include "gbuffer.glsl"
 #include "lights.glsl"
-#include "shadows.glsl"
 #include "dfg.glsl"
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
@@ -42,7 +41,9 @@ layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_e
 layout(set = 0, binding = 8, std430) readonly buffer LightTables { float light_tables[]; };
 layout(set = 0, binding = 9) uniform sampler2D ltc_table;
 // Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
-const int kShadingBindings = 12;
+const int kShadingBindings = 13;
+
+#include "shadows.glsl"
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -154,12 +155,15 @@ void add_environment(SurfacePoint p, inout Lit lit) {
 }
 
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the
-// viewer's side; read only where lights have shadows.
+// viewer's side; read only where shadows are looked up.
 Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light, vec4 facet, ivec2 pixel) {
     SurfacePoint p = surface_point(g, position, v);
     p.facet = facet;
     p.pixel = pixel;
     Lit lit = kNoLight;
+#ifdef CANDELA_SHADOWS_BY_LOOKUP
+    if (kHasLights && kShadowKinds != 0u) remember_visibilities(first_light, position, facet, pixel);
+#endif
     if (kHasLights) add_lights(p, first_light, lit);
     if (kHasEnvironment) add_environment(p, lit);
     return lit;

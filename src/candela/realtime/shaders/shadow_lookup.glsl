@@ -1,0 +1,307 @@
+// Who stands between a surface point and a light: lookups of the shadow atlas. C++: shadow_views.hpp. Includers declare
+// `uniform sampler2D shadow_atlas` and include frame.glsl.
+//
+// A lookup gives a point of the surface that the light sees there. It is in the way when it stands above the receiver's
+// own plane and on the light's side of it. The plane is what other shadow maps have a bias for: a plane cannot shadow
+// itself however coarse the texels are, and nothing has to be pushed away from it, so no shadow leaves its caster.
+#ifndef CANDELA_SHADOW_LOOKUP_GLSL
+#define CANDELA_SHADOW_LOOKUP_GLSL
+
+#include "basis.glsl"
+
+// C++: ShadowKind. Functions take the kind as a parameter: where it is a constant, only its own code is compiled.
+const uint kShadowCascades = 0u;
+const uint kShadowPerspective = 1u;
+const uint kShadowCube = 2u;
+// C++: ShadowShape.
+const int kShapePoint = 0;
+const int kShapeFacingDisc = 1;
+const int kShapeDisc = 2;
+const int kShapeRectangle = 3;
+const int kShapeTube = 4;
+
+struct ShadowRecord {
+    vec4 right;
+    vec4 up;
+    vec4 forward;
+    vec4 texels;
+    vec4 numbers;
+    vec4 extent;
+    uvec4 faces;
+    uvec4 unused;
+};
+// Of every light; distant ones have one a cascade, the others use the first.
+const int kRecordsPerLight = 4;
+
+// Heights above the receiver's plane that are taken for the plane itself, as a share of the distance and in texels: what
+// float depth and curved surfaces make of a plane.
+const float kPlaneSlope = 0.01;
+const float kPlaneTexels = 0.05;
+const float kPlaneLeast_m = 1e-4;
+// Facets of a smooth surface do not rise more steeply than this.
+const float kBulgeSlope = 0.3;
+// Nothing is as far as that; its square is a float.
+const float kNoDepth = 1e-12;
+
+// A receiver in the frame of one record, where z is the depth from the light.
+struct ShadowReceiver {
+    vec3 point;
+    vec3 normal;       // unit
+    vec3 to_light;     // to the middle of the light; distant lights: 1 m of that way
+    vec3 progress;     // its product with a way is the share of to_light that the way has covered
+    float slack;       // m
+    float bulge;       // m that facets of the same smooth surface may rise
+};
+// What shines: from its middle to its edges.
+struct ShadowExtent {
+    vec3 x;
+    vec3 y;
+};
+
+// Fractions of multiples of these are spread evenly: the golden ratio's, and the plastic ratio's, which keeps step with no
+// multiple of the first (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
+const float kSpreadAround = 0.6180339887;
+const float kSpreadAlong = 0.7548776662;
+
+// Per-pixel numbers in [0,1): neighbours differ most (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
+// Advanced Warfare"). Another sample of the same pixel goes on along a sequence, so that stills converge.
+float shadow_noise(ivec2 pixel, uint dimension) {
+    vec2 p = vec2(pixel) + 5.588238 * float(dimension);
+    float n = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
+    return fract(n + kSpreadAround * float(frame.random.x));
+}
+
+vec3 to_frame(ShadowRecord r, vec3 v) { return vec3(dot(r.right.xyz, v), dot(r.up.xyz, v), dot(r.forward.xyz, v)); }
+
+// facet: unit normal of the facet that the receiver lies on, without normal maps and interpolation; w: m that other facets
+// of the same smooth surface may rise above its plane.
+ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, vec4 facet) {
+    ShadowReceiver r;
+    r.point = to_frame(record, position_m) + vec3(record.right.w, record.up.w, record.forward.w);
+    r.normal = to_frame(record, facet.xyz);
+    r.bulge = facet.w;
+    if (kind == kShadowCascades) {
+        r.to_light = vec3(0.0, 0.0, -1.0);
+        r.progress = vec3(0.0, 0.0, -1.0);
+        r.slack = record.numbers.w;
+    } else {
+        r.to_light = vec3(0.0, 0.0, record.numbers.y) - r.point;
+        // Blockers are sorted by planes across the pyramid, or across the way to the light.
+        r.progress = kind == kShadowCube ? r.to_light / max(dot(r.to_light, r.to_light), 1e-12)
+                                         : vec3(0.0, 0.0, 1.0 / min(r.to_light.z, -1e-6));
+        r.slack = record.numbers.w * length(r.point);
+    }
+    r.slack = kPlaneLeast_m + kPlaneTexels * r.slack;
+    return r;
+}
+
+ShadowExtent shadow_extent(int shape, ShadowRecord record, vec3 to_light) {
+    ShadowExtent e = ShadowExtent(vec3(record.extent.x, 0.0, 0.0), vec3(0.0, record.extent.y, 0.0));
+    if (shape == kShapeFacingDisc) {
+        orthonormal_basis(to_light * inversesqrt(max(dot(to_light, to_light), 1e-12)), e.x, e.y);
+        e.x *= record.extent.x;
+        e.y *= record.extent.y;
+    }
+    if (shape == kShapeTube) {
+        vec3 across = cross(vec3(1.0, 0.0, 0.0), to_light);
+        e.y = across * (inversesqrt(max(dot(across, across), 1e-12)) * record.extent.y);
+    }
+    return e;
+}
+
+// The face of a cube that holds a way: 2 * axis is towards +axis, the next one towards -axis; both count texels along the
+// two axes that follow. `way` comes back with the face's own axes first and second and its depth third, which is positive.
+struct CubeFace {
+    int axis;
+    float side;  // of the axis
+    vec2 first;  // texel of the atlas
+};
+vec3 into_face(CubeFace f, vec3 v) {
+    vec3 turned = f.axis == 0 ? v.yzx : f.axis == 1 ? v.zxy : v;
+    return vec3(turned.xy, turned.z * f.side);
+}
+vec3 out_of_face(CubeFace f, vec3 v) {
+    vec3 turned = vec3(v.xy, v.z * f.side);
+    return f.axis == 0 ? turned.zxy : f.axis == 1 ? turned.yzx : turned;
+}
+CubeFace cube_face(ShadowRecord r, vec3 way) {
+    vec3 a = abs(way);
+    CubeFace f;
+    f.axis = a.x >= max(a.y, a.z) ? 0 : a.y >= a.z ? 1 : 2;
+    f.side = (f.axis == 0 ? way.x : f.axis == 1 ? way.y : way.z) < 0.0 ? -1.0 : 1.0;
+    uint corner = (f.axis == 0 ? r.faces.x : f.axis == 1 ? r.faces.y : r.faces.z) >> (f.side < 0.0 ? 16u : 0u);
+    f.first = vec2(corner & 0xffu, (corner >> 8u) & 0xffu) * 64.0;
+    return f;
+}
+
+// The point of the surface that the light sees on its way to `at`, at a texel's middle; far behind everything where it
+// sees none.
+vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
+    if (kind == kShadowCube) {
+        CubeFace f = cube_face(r, at);
+        vec3 way = into_face(f, at);
+        float half_face = r.numbers.z;
+        vec2 offset = way.xy / way.z * half_face + jitter_texels + half_face;
+        vec2 texel = clamp(floor(offset), vec2(0.0), vec2(2.0 * half_face - 1.0));
+        float d = texelFetch(shadow_atlas, ivec2(f.first + texel), 0).r;
+        float z = r.numbers.x / max(d, kNoDepth);
+        return out_of_face(f, vec3((texel + 0.5) / half_face - 1.0, 1.0) * z);
+    }
+    vec2 on_tile = kind == kShadowCascades ? at.xy : at.xy / at.z;
+    vec2 offset = on_tile * r.texels.xy + jitter_texels;
+    bool outside = any(greaterThanEqual(abs(offset), vec2(r.numbers.z)));
+    vec2 texel = floor(r.texels.zw + offset);
+    float d = outside ? 0.0 : texelFetch(shadow_atlas, ivec2(texel), 0).r;
+    vec2 middle = (texel + 0.5 - r.texels.zw) / r.texels.xy;
+    if (kind == kShadowCascades) return vec3(middle, (1.0 - d) * r.numbers.x);
+    float z = r.numbers.x / max(d, kNoDepth);
+    return vec3(middle * z, z);
+}
+
+// Whether the surface that the light sees on its way to `at` is between the receiver and the light; and how far along.
+bool in_the_way(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec2 jitter_texels, out float share) {
+    vec3 surface = surface_seen(kind, record, at, jitter_texels);
+    vec3 way = surface - receiver.point;
+    share = dot(way, receiver.progress);
+    float height = dot(way, receiver.normal);
+    // The longest side stands for the distance: a root in every lookup costs more than the tolerance is worth.
+    vec3 sides = abs(way);
+    float distance_m = max(sides.x, max(sides.y, sides.z));
+    float tolerance_m = receiver.slack + kPlaneSlope * distance_m + min(receiver.bulge, kBulgeSlope * distance_m);
+    // Seen from a cube's centre, towards the end of a long tube, what is farther than the receiver is across is not on the
+    // way to it.
+    bool beyond = kind == kShadowCube && dot(surface, way) > 0.0;
+    return share > 0.0 && height > tolerance_m && !beyond;
+}
+
+// Points of the light in units of its extent, one after the other: of a Fibonacci spiral on round shapes, of a Fibonacci
+// lattice on others, each turned by the pixel's own numbers. The four pixels of a square share one set and take every
+// fourth. The spiral turns by a rotation: sines in every lookup would cost more than the lookup.
+struct LightPoints {
+    vec2 around;  // unit; others than round: x in [0,1)
+    float along;  // in [0,1)
+    float step;
+};
+const uint kAlone = 1u;
+const uint kInSquare = 4u;
+bool is_round(int shape) { return shape == kShapeFacingDisc || shape == kShapeDisc; }
+// Unit vector of a turn in [0,1), spread a little unevenly: parabolas for sine and cosine, which a software device calls one
+// lane after the other.
+vec2 turned(float turn) {
+    vec2 x = fract(vec2(turn + 0.25, turn)) * 2.0 - 1.0;
+    vec2 v = x * (1.0 - abs(x));
+    return v * inversesqrt(dot(v, v));
+}
+LightPoints light_points(int shape, uint first, uint stride, uint count, vec2 turn) {
+    float around = fract(float(first) * kSpreadAround + turn.x);
+    LightPoints p;
+    p.around = is_round(shape) ? turned(around) : vec2(around, 0.0);
+    p.step = 1.0 / float(count);
+    p.along = fract(float(first) / float(stride) + turn.y) * p.step;
+    return p;
+}
+vec2 next_point(int shape, uint stride, inout LightPoints p) {
+    vec2 point = is_round(shape) ? sqrt(p.along) * p.around : vec2(p.around.x, p.along) * 2.0 - 1.0;
+    // Cosine and sine of one turn and of four by the golden ratio.
+    vec2 golden = stride == kAlone ? vec2(-0.7373688781, -0.6754902943) : vec2(-0.9847134853, 0.1741819504);
+    p.around = is_round(shape) ? vec2(p.around.x * golden.x - p.around.y * golden.y,
+                                      p.around.x * golden.y + p.around.y * golden.x)
+                               : vec2(fract(p.around.x + float(stride) * kSpreadAround), 0.0);
+    p.along += p.step;
+    return point;
+}
+
+// Percentage-closer soft shadows (Fernando 2005): first how far away what is in the way is on average, then the share of
+// the light that it hides at that distance. Changed: both look along ways to points of the light's real shape, so the
+// kernel is that shape seen through the blockers (for a light of width w, w (d_r - d_b) / d_b on the receiver), and
+// points below the receiver's horizon do not count, which keeps the gradient of wrap lighting (Frostbite 4.10.4, Figure 68).
+//
+// Some lookups for what is in the way; xy += how many found something, and how far along.
+void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r, uint first, uint stride, uint lookups,
+                     vec2 turn, float shift, inout vec2 found) {
+    ShadowExtent e = shadow_extent(shape, record, r.to_light);
+    float farthest = kind == kShadowCascades ? r.point.z : 0.95;
+    LightPoints points = light_points(shape, first, stride, lookups, turn);
+    for (uint i = 0u; i < lookups; ++i) {
+        vec2 p = next_point(shape, stride, points);
+        float way = farthest * fract(float(first + i * stride) * kSpreadAlong + shift);
+        float share;
+        if (in_the_way(kind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
+            found += vec2(1.0, share);
+        }
+    }
+}
+
+// The share of the light that is seen past blockers at that share of the way; 0 without lookups.
+float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, uint first, uint stride,
+                        uint lookups, vec2 turn) {
+    ShadowExtent e = shadow_extent(shape, record, r.to_light);
+    // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
+    float depth = kind == kShadowCascades ? 1.0 : length(r.point + way * r.to_light);
+    float kernel_texels = way * sqrt(min(dot(e.x, e.x), dot(e.y, e.y))) / (record.numbers.w * depth);
+    float spread = clamp(1.0 - 0.5 * kernel_texels, 0.0, 1.0);
+    float seen = 0.0;
+    float all = 0.0;
+    LightPoints points = light_points(shape, first, stride, lookups, turn);
+    for (uint i = 0u; i < lookups; ++i) {
+        vec2 p = next_point(shape, stride, points);
+        vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
+        float weight = max(dot(r.normal, to_point), 0.0);
+        all += weight;
+        float share;
+        if (!in_the_way(kind, record, r, r.point + way * to_point, p * spread, share)) seen += weight;
+    }
+    return all > 0.0 ? seen / all : 1.0;
+}
+
+// A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in
+// each is compared as in_the_way() does it.
+float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
+    vec3 point = r.point;
+    vec3 normal = r.normal;
+    vec2 center = record.texels.zw;
+    if (kind == kShadowCube) {
+        CubeFace f = cube_face(record, point);
+        point = into_face(f, point);
+        normal = into_face(f, normal);
+        center = f.first + record.numbers.z;
+    }
+    bool parallel = kind == kShadowCascades;
+    vec2 offset = (parallel ? point.xy : point.xy / point.z) * record.texels.xy;
+    bool outside = kind != kShadowCube && any(greaterThanEqual(abs(offset), vec2(record.numbers.z)));
+    float inside = record.numbers.z - 1.0;
+    vec2 low = clamp(offset, vec2(-inside), vec2(inside)) - 0.5;
+    vec2 corner = floor(low);
+    vec2 weight = low - corner;
+    // Counter-clockwise from the texel of the lower x and the higher y.
+    vec4 d = textureGather(shadow_atlas, (center + corner + 1.0) * record.extent.w);
+    vec2 first = (corner + 0.5) / record.texels.xy;
+    vec2 second = (corner + 1.5) / record.texels.xy;
+    vec4 x = vec4(first.x, second.x, second.x, first.x);
+    vec4 y = vec4(second.y, second.y, first.y, first.y);
+    vec4 z = parallel ? (1.0 - d) * record.numbers.x : record.numbers.x / max(d, vec4(kNoDepth));
+    if (!parallel) {
+        x *= z;
+        y *= z;
+    }
+    x -= point.x;
+    y -= point.y;
+    z -= point.z;
+    vec4 height = normal.x * x + normal.y * y + normal.z * z;
+    vec4 distance_m = max(max(abs(x), abs(y)), abs(z));
+    vec4 tolerance_m = r.slack + kPlaneSlope * distance_m + min(vec4(r.bulge), kBulgeSlope * distance_m);
+    vec4 weights = vec4(1.0 - weight.x, weight.x, weight.x, 1.0 - weight.x) *
+                   vec4(weight.y, weight.y, 1.0 - weight.y, 1.0 - weight.y);
+    vec4 hidden = mix(vec4(0.0), weights, lessThan(z, vec4(0.0)));
+    hidden = mix(vec4(0.0), hidden, greaterThan(height, tolerance_m));
+    return outside ? 1.0 : 1.0 - (hidden.x + hidden.y + hidden.z + hidden.w);
+}
+
+// Whether a cascade holds a point with room for the filter. Near its edge some pixels, chosen by their noise, take the
+// next one, so that no seam shows.
+bool cascade_holds(ShadowRecord r, vec3 position_m, float noise) {
+    vec2 offset = vec2(dot(r.right.xyz, position_m) + r.right.w, dot(r.up.xyz, position_m) + r.up.w) * r.texels.xy;
+    return max(abs(offset.x), abs(offset.y)) < (1.0 - 0.1 * noise) * (r.numbers.z - 4.0);
+}
+
+#endif

@@ -1,0 +1,79 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// What the visibility pass needs to know of each pixel: where it is, and the facet that it shows.
+#include "frame.glsl"
+#include "octahedral.glsl"
+#include "shadow_receivers.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
+layout(set = 0, binding = 2) uniform sampler2D depth_image;
+layout(set = 0, binding = 3, rgba32ui) writeonly uniform uimage2D receiver_image;
+
+const ivec2 kRightwards = ivec2(1, 0);
+const ivec2 kDownwards = ivec2(0, 1);
+
+// The point that a pixel shows, from what its place alone makes of the matrix: neighbours differ by one of its columns.
+vec3 point_at(vec4 place, float depth) {
+    vec4 p = place + depth * frame.clip_to_world[2];
+    return p.xyz / p.w;
+}
+float depth_at(ivec2 pixel) { return texelFetch(depth_image, clamp(pixel, ivec2(0), frame.size.xy - 1), 0).r; }
+
+// Way to the neighbour pixel along `step` or against it, whichever lies flatter on the shading normal's plane: that one is
+// likely on the same facet. Outside the picture there is none.
+vec3 way_along(ivec2 pixel, ivec2 step, vec4 place, vec4 place_step, vec3 position, vec3 n, out ivec2 neighbour) {
+    ivec2 after = pixel + step;
+    ivec2 before = pixel - step;
+    vec3 forward = point_at(place + place_step, depth_at(after)) - position;
+    vec3 backward = position - point_at(place - place_step, depth_at(before));
+    float forward2 = dot(forward, forward);
+    float backward2 = dot(backward, backward);
+    float rise = dot(n, forward);
+    float fall = dot(n, backward);
+    bool use_forward = rise * rise * backward2 < fall * fall * forward2;
+    if (!(forward2 < 1e30) || any(greaterThanEqual(after, frame.size.xy))) use_forward = false;
+    if (!(backward2 < 1e30) || any(lessThan(before, ivec2(0)))) use_forward = true;
+    neighbour = use_forward ? after : before;
+    return use_forward ? forward : backward;
+}
+
+// 1/m: how fast the shading normal turns on the way to a neighbour.
+float curvature(ivec2 neighbour, vec3 way, vec3 n) {
+    vec3 turned = octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, neighbour, 0).x));
+    return distance(turned, n) * inversesqrt(max(dot(way, way), 1e-20));
+}
+
+// The facet that the pixel shows, from the depth about it: its normal, and as far as it stands for a smooth surface how
+// high its neighbours may rise above it. At an edge the normal is uncertain by the angle between facet and smooth
+// surface, and a neighbour as long as twice that angle times the radius of curvature. Where there is no facet, as on a
+// blade of grass, the shading normal must do.
+vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
+    vec3 v = view_direction(position);
+    ivec2 right;
+    ivec2 down;
+    vec2 px = 2.0 / vec2(frame.size.xy);
+    vec3 way_right = way_along(pixel, kRightwards, place, px.x * frame.clip_to_world[0], position, n, right);
+    vec3 way_down = way_along(pixel, kDownwards, place, px.y * frame.clip_to_world[1], position, n, down);
+    vec3 across = cross(way_right, way_down);
+    float area2 = dot(across, across);
+    if (!(area2 > 0.0)) return vec4(n, 0.0);
+    across *= (dot(across, v) < 0.0 ? -1.0 : 1.0) * inversesqrt(area2);
+    if (dot(across, n) < 0.7) return vec4(n, 0.0);
+    float lean = distance(across, n);
+    if (lean < 0.01) return vec4(across, 0.0);
+    float bend = max(curvature(right, way_right, n), curvature(down, way_down, n));
+    return vec4(across, 3.0 * lean * lean / max(bend, 1e-3));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, frame.size.xy))) return;
+    float depth = texelFetch(depth_image, pixel, 0).r;
+    vec2 ndc = (vec2(pixel) + 0.5) * (2.0 / vec2(frame.size.xy)) - 1.0;
+    vec4 place = frame.clip_to_world[0] * ndc.x + frame.clip_to_world[1] * ndc.y + frame.clip_to_world[3];
+    vec3 position = depth > 0.0 ? point_at(place, depth) : vec3(0.0);
+    vec3 n = octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, pixel, 0).x));
+    if (dot(n, view_direction(position)) < 0.0) n = -n;
+    imageStore(receiver_image, pixel, pack_receiver(position, facet_at(pixel, place, position, n)));
+}

@@ -1,0 +1,154 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// How much of one light each pixel sees: a byte a pixel, an invocation a square of four. A pass of its own for each light,
+// so that its record is the same for all invocations and the code is that of its kind and shape alone.
+#include "frame.glsl"
+
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint kKind = 0u;
+layout(constant_id = 1) const int kShape = 0;
+
+layout(set = 0, binding = 2) uniform sampler2D shadow_atlas;
+#include "shadow_lookup.glsl"
+#include "shadow_receivers.glsl"
+
+layout(set = 0, binding = 1, std140) uniform Records { ShadowRecord records[kRecordsPerLight]; };
+layout(set = 0, binding = 3) uniform usampler2D receiver_image;
+layout(set = 0, binding = 4, std430) writeonly buffer Visibilities { uint visibilities[]; };
+layout(push_constant) uniform Area {
+    ivec4 tiles;  // x, y first; z, w one after the last
+    int slot;
+} area;
+
+// Of each pixel of a square; what they find is for all four.
+const uint kSearchTaps = 3u;
+const uint kFilterTaps = 8u;
+// Gradients that are wider than that many pixels are smooth within a square.
+const float kSmooth_px = 8.0;
+
+ivec2 pixel_of(ivec2 corner, uint i) { return min(corner + ivec2(i & 1u, i >> 1u), frame.size.xy - 1); }
+
+ShadowRecord record_for(vec3 position_m, ivec2 pixel) {
+    ShadowRecord r = records[0];
+    if (kKind != kShadowCascades) return r;
+    int count = int(records[0].faces.w);
+    float noise = shadow_noise(pixel, 3u);
+    bool held = false;
+    for (int i = 0; i < kRecordsPerLight - 1; ++i) {
+        held = held || i >= count - 1 || cascade_holds(records[i], position_m, noise);
+        ShadowRecord next = records[i + 1];
+        // The rest is the same for all cascades.
+        r.right.w = held ? r.right.w : next.right.w;
+        r.up.w = held ? r.up.w : next.up.w;
+        r.texels = held ? r.texels : next.texels;
+        r.numbers = held ? r.numbers : next.numbers;
+    }
+    return r;
+}
+
+ShadowReceiver receiver_at(ivec2 pixel, out ShadowRecord record) {
+    vec3 position_m;
+    vec4 facet;
+    unpack_receiver(texelFetch(receiver_image, pixel, 0), position_m, facet);
+    record = record_for(position_m, pixel);
+    return shadow_receiver(kKind, record, position_m, facet);
+}
+
+bool behind_light(ShadowRecord record, ShadowReceiver r) {
+    return kKind == kShadowPerspective && r.point.z <= record.numbers.y;
+}
+
+uint in_byte(float visibility, uint i) { return uint(visibility * 255.0 + 0.5) << (8u * i); }
+
+uint point_square(ivec2 corner) {
+    uint bytes = 0u;
+    for (uint i = 0u; i < 4u; ++i) {
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        bytes |= in_byte(behind_light(record, r) ? 1.0 : point_visibility(kKind, record, r), i);
+    }
+    return bytes;
+}
+
+// How wide the gradient is that blockers at that share of the way throw, m.
+float penumbra_width_m(float way) {
+    float size_m = records[0].extent.x + records[0].extent.y;
+    return size_m * (kKind == kShadowCascades ? way : way / max(1.0 - way, 0.05));
+}
+
+// How much of a square's mean its pixels may take for their own: all of it where the penumbra is wide, nothing where they
+// show different surfaces.
+float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
+    vec3 across = last_m - first_m;
+    float across_m = length(across);
+    float px = penumbra_m / max(across_m * 0.7071, 1e-9);
+    bool one_surface = abs(dot(across, normal)) < 0.25 * across_m;
+    return one_surface ? clamp((px - 2.0) / (kSmooth_px - 2.0), 0.0, 1.0) : 0.0;
+}
+
+// Lookups of pixel i of a square for what is in the way; xy += how many found something, and how far along. Two of them towards
+// the light's edge, of which the four pixels see eight points: what hides a little of the light, or leaves a little of it,
+// covers or leaves more of its edge than of its area. One within, for what is smaller than the light.
+void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, inout vec2 found) {
+    ShadowExtent e = shadow_extent(kShape, record, r.to_light);
+    float farthest = kKind == kShadowCascades ? r.point.z : 0.95;
+    for (uint k = 0u; k < kSearchTaps; ++k) {
+        bool edge = k + 1u < kSearchTaps;
+        vec2 p = turned(fract(edge ? float(4u * k + i) * 0.125 * 3.0 + turn.x : float(i) * 0.25 + turn.y));
+        if (!is_round(kShape)) p /= max(abs(p.x), abs(p.y));
+        if (!edge) p *= 0.5;
+        float depth = fract(float(4u * k + i) * kSpreadAlong + shift);
+        // Distant lights: what is in the way is mostly near for how deep the scene is. Others: an edge is looked at best
+        // from behind what hides it.
+        float way = farthest * (kKind == kShadowCascades ? depth * depth : edge ? 0.25 + 0.75 * depth : depth);
+        float share;
+        if (in_the_way(kKind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
+            found += vec2(1.0, share);
+        }
+    }
+}
+
+// What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
+// the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
+uint soft_square(ivec2 corner) {
+    vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
+    float shift = shadow_noise(corner >> 1, 2u);
+    vec2 found = vec2(0.0);
+    for (uint i = 0u; i < 4u; ++i) {
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        search_square(record, r, i, turn, shift, found);
+    }
+    if (found.x == 0.0) return 0xffffffffu;
+    bool partly = found.x < float(4u * kSearchTaps);
+    float way = found.y / found.x;
+    uint bytes = 0u;
+    vec3 first_point;
+    vec3 first_normal;
+    vec3 last_point;
+    for (uint i = 0u; i < (partly ? 4u : 0u); ++i) {
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn.yx);
+        bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
+        if (i == 0u) {
+            first_point = r.point;
+            first_normal = r.normal;
+        }
+        last_point = r.point;
+    }
+    vec4 own = unpackUnorm4x8(bytes);
+    float mean = 0.25 * (own.x + own.y + own.z + own.w);
+    float share = smoothness(first_point, first_normal, last_point, penumbra_width_m(way));
+    return packUnorm4x8(mix(own, vec4(mean), partly ? share : 0.0));
+}
+
+void main() {
+    // A workgroup has four tiles in a row, an invocation a square of 2 x 2 pixels of one.
+    ivec2 tile = area.tiles.xy + ivec2(gl_WorkGroupID.xy) * ivec2(4, 1) + ivec2(gl_LocalInvocationIndex >> 4u, 0);
+    if (any(greaterThanEqual(tile, area.tiles.zw))) return;
+    int quad = int(gl_LocalInvocationIndex & 15u);
+    ivec2 corner = tile * 8 + 2 * ivec2(quad & 3, quad >> 2);
+    uint bytes = kShape == kShapePoint ? point_square(corner) : soft_square(corner);
+    visibilities[(area.slot * frame.tiles.z + tile.y * frame.tiles.x + tile.x) * 16 + quad] = bytes;
+}
