@@ -251,7 +251,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
         float share;
         if (!in_the_way(kind, record, r, r.point + way * to_point, p * spread, share)) seen += weight;
     }
-    return all > 0.0 ? seen / all : 1.0;
+    return all > 0.0 ? seen / all : 0.0;
 }
 
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in

@@ -86,10 +86,11 @@ float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
     return one_surface ? clamp((px - 2.0) / (kSmooth_px - 2.0), 0.0, 1.0) : 0.0;
 }
 
-// Lookups of pixel i of a square for what is in the way; xy += how many found something, and how far along. Two of them towards
+// Lookups of pixel i of a square for what is in the way; += x how many found something, y how far along, z how many looked at a part
+// of the light that is above the pixel's horizon: what is below it neither lights nor tells of the rest. Two of them towards
 // the light's edge, of which the four pixels see eight points: what hides a little of the light, or leaves a little of it,
 // covers or leaves more of its edge than of its area. One within, for what is smaller than the light.
-void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, inout vec2 found) {
+void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, inout vec3 found) {
     ShadowExtent e = shadow_extent(kShape, record, r.to_light);
     float farthest = kKind == kShadowCascades ? r.point.z : 0.95;
     for (uint k = 0u; k < kSearchTaps; ++k) {
@@ -97,13 +98,16 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
         vec2 p = turned(fract(edge ? float(4u * k + i) * 0.125 * 3.0 + turn.x : float(i) * 0.25 + turn.y));
         if (!is_round(kShape)) p /= max(abs(p.x), abs(p.y));
         if (!edge) p *= 0.5;
+        if (dot(r.normal, r.to_light + p.x * e.x + p.y * e.y) < 0.0) p = -p;
+        vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
+        found.z += dot(r.normal, to_point) > 0.0 ? 1.0 : 0.0;
         float depth = fract(float(4u * k + i) * kSpreadAlong + shift);
         // Distant lights: what is in the way is mostly near for how deep the scene is. Others: an edge is looked at best
         // from behind what hides it.
         float way = farthest * (kKind == kShadowCascades ? depth * depth : edge ? 0.25 + 0.75 * depth : depth);
         float share;
-        if (in_the_way(kKind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
-            found += vec2(1.0, share);
+        if (in_the_way(kKind, record, r, r.point + way * to_point, vec2(0.0), share)) {
+            found.xy += vec2(1.0, share);
         }
     }
 }
@@ -113,13 +117,13 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
 uint soft_square(ivec2 corner) {
     vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
     float shift = shadow_noise(corner >> 1, 2u);
-    vec2 found = vec2(0.0);
+    vec3 found = vec3(0.0);
     for (uint i = 0u; i < 4u; ++i) {
         ShadowRecord record;
         ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
         search_square(record, r, i, turn, shift, found);
     }
-    if (found.x == 0.0) return 0xffffffffu;
+    if (found.x == 0.0) return found.z > 0.0 ? 0xffffffffu : 0u;
     bool partly = found.x < float(4u * kSearchTaps);
     float way = found.y / found.x;
     uint bytes = 0u;
