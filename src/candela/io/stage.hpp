@@ -5,6 +5,7 @@
 #include <string>
 
 #include "candela/io/stage_lights.hpp"
+#include "candela/io/stage_probes.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
 
@@ -32,6 +33,7 @@ struct Stage {
     std::optional<StageEnvironment> environment;
     StageCamera camera;
     std::vector<StageLight> lights;  ///< placed by place_stage_lights
+    StageProbes probes;              ///< placed by place_stage_probes
     scene::Exposure exposure;
 };
 
