@@ -11,6 +11,8 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "job.hpp"
+#include "local_light.hpp"
 #include "shading/lights/ltc.glsl"
 
 namespace candela::app {
@@ -19,6 +21,8 @@ namespace {
 struct BakeOptions {
     std::string what;
     std::string output;
+    LocalLightOptions local;
+    JobOptions job;
     bool json = false;
 };
 
@@ -78,11 +82,60 @@ int bake_ltc(const BakeOptions& options) {
     return 0;
 }
 
+nlohmann::json report_json(const LocalLightReport& report, std::size_t count) {
+    return {{"count", count},
+            {"file", report.file.string()},
+            {"cached", report.cached},
+            {"seconds", report.seconds}};
+}
+
+void print_report(const char* what, const LocalLightReport& report, std::size_t count) {
+    std::printf("%zu %s: %s %s in %.1f s\n", count, what, report.cached ? "found in" : "written to",
+                report.file.empty() ? "nowhere" : report.file.c_str(), report.seconds);
+}
+
+/// Fills the cache that pictures of this scene look into.
+int bake_probes(BakeOptions options) {
+    if (options.job.scene_file.empty())
+        throw Error(Fault::usage, "needs a scene", "candela bake probes",
+                    "candela bake probes SCENE --stage FILE");
+    Job job = prepare(options.job);
+    const std::size_t volumes = job.scene.irradiance_volumes.size();
+    const std::size_t probes = job.scene.reflection_probes.size();
+    if (volumes + probes == 0) {
+        throw input_error("the stage has neither irradiance_volumes nor reflection_probes",
+                          options.job.scene_file, "docs/stage.md, \"Probes\"");
+    }
+    options.local.quiet = options.json;
+    const LocalLightReport irradiance = fill_irradiance_volumes(job, options.local);
+    LocalLightReport reflection;
+    if (probes > 0) {
+        const gpu::Device device(device_options(options.job));
+        std::fprintf(stderr, "candela: device: %s\n", device_line(device.info()).c_str());
+        reflection = fill_reflection_probes(
+            device, job,
+            {shadows_of(options.job.shadows, "realtime") == Shadows::map, options.job.shadows.atlas_texels},
+            options.local);
+    }
+    print_warnings(job.diagnostics);
+    if (options.json) {
+        const nlohmann::json out{{"version", version()},
+                                 {"irradiance_volumes", report_json(irradiance, volumes)},
+                                 {"reflection_probes", report_json(reflection, probes)},
+                                 {"warnings", warnings_json(job.diagnostics)}};
+        std::printf("%s\n", out.dump(2).c_str());
+        return 0;
+    }
+    if (volumes > 0) print_report("irradiance volumes", irradiance, volumes);
+    if (probes > 0) print_report("reflection probes", reflection, probes);
+    return 0;
+}
+
 int bake(const BakeOptions& options) {
-    if (options.what != "ltc")
-        throw input_error("there is no table '" + options.what + "' to bake", "candela bake",
-                          "candela bake ltc");
-    return bake_ltc(options);
+    if (options.what == "ltc") return bake_ltc(options);
+    if (options.what == "probes") return bake_probes(options);
+    throw input_error("there is nothing called '" + options.what + "' to bake", "candela bake",
+                      "candela bake ltc, candela bake probes SCENE");
 }
 
 }  // namespace
@@ -90,8 +143,20 @@ int bake(const BakeOptions& options) {
 void add_bake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = app.add_subcommand("bake", "Compute tables that rendering reads");
-    command->add_option("what", options->what, "ltc: the matrices of linearly transformed cosines")
+    command
+        ->add_option("what", options->what,
+                     "ltc: the matrices of linearly transformed cosines; probes: what a stage's irradiance "
+                     "volumes and "
+                     "reflection probes hold, for the cache")
         ->required();
+    command->add_option("scene", options->job.scene_file, "With probes: the scene");
+    add_scene_options(*command, options->job);
+    command->add_option("--profile", options->job.profile, "With probes: of the pictures to come");
+    command->add_option("--samples", options->local.samples, "With probes: paths of each probe of a volume")
+        ->check(CLI::Range(16u, 1u << 20))
+        ->capture_default_str();
+    command->add_flag("--refresh", options->local.refresh, "With probes: even if the cache has them");
+    add_shadow_options(*command, options->job.shadows);
     command->add_option("-o,--output", options->output,
                         "File for the table (ltc_table.bin); its metadata goes beside it, as .json");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");

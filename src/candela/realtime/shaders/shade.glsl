@@ -40,7 +40,7 @@ layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_e
 layout(set = 0, binding = 8, std430) readonly buffer LightTables { float light_tables[]; };
 layout(set = 0, binding = 9) uniform sampler2D ltc_table;
 // Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
-const int kShadingBindings = 12;
+const int kShadingBindings = 14;
 
 // Luminance in cd/m^2, by the path that the light took.
 struct Lit {
@@ -117,6 +117,7 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
 }
 
 #include "light_loop.glsl"
+#include "local_light.glsl"
 
 // Prefiltered environment about the lobe's direction, in cd/m^2.
 vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
@@ -129,6 +130,17 @@ vec3 environment_specular(vec3 n, vec3 v, float perceptual_roughness) {
            frame.environment.z;
 }
 
+// Unit directions in which local light is read for the base's lobes.
+vec3 diffuse_direction(SurfacePoint p) {
+    if (kDiffuse == kDiffuseLambert) return p.g.normal;
+    float alpha = alpha_from_perceptual_roughness(p.g.surface.perceptual_roughness);
+    return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, alpha));
+}
+vec3 reflection_direction(vec3 n, vec3 v, float alpha) {
+    vec3 mirror = 2.0 * dot(n, v) * n - v;
+    return kReflection == kReflectionDominant ? normalize(specular_dominant_direction(n, mirror, alpha)) : mirror;
+}
+
 void add_environment(SurfacePoint p, inout Lit lit) {
     GBuffer g = p.g;
     vec3 v = p.v;
@@ -138,6 +150,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     float specular_visible = specular_occlusion(NoV, g.occlusion, alpha);
     vec3 irradiance_over_pi = sample_irradiance(irradiance_map, to_environment(g.normal)) * frame.environment.z;
     vec3 radiance = environment_specular(g.normal, v, g.surface.perceptual_roughness);
+    if (kLocalLight != 0u) {
+        irradiance_over_pi = local_irradiance(p.position, g.normal, v, diffuse_direction(p), irradiance_over_pi);
+        radiance = local_specular(p.position, g.normal, v, reflection_direction(g.normal, v, alpha),
+                                  g.surface.perceptual_roughness, radiance);
+    }
     if (!kShadeLayers) {
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
         lit.indirect_specular = ibl_specular_weight(g.surface, techniques(), NoV, dfg) * radiance * specular_visible;
@@ -147,6 +164,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec4 coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
     vec3 coat_radiance = environment_specular(g.coat_normal, v, g.surface.coat_perceptual_roughness);
+    if (kLocalLight != 0u) {
+        float coat_alpha = alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness);
+        coat_radiance = local_specular(p.position, g.coat_normal, v, reflection_direction(g.coat_normal, v, coat_alpha),
+                                       g.surface.coat_perceptual_roughness, coat_radiance);
+    }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
                             w.sheen * irradiance_over_pi * g.occlusion;
@@ -155,12 +177,13 @@ void add_environment(SurfacePoint p, inout Lit lit) {
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the
 // viewer's side; read only where lights have shadows.
 Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light, vec4 facet, ivec2 pixel) {
+    if (kCapturesProbe) g = captured_surface(g);
     SurfacePoint p = surface_point(g, position, v);
     p.facet = facet;
     p.pixel = pixel;
     Lit lit = kNoLight;
     if (kHasLights) add_lights(p, first_light, lit);
-    if (kHasEnvironment) add_environment(p, lit);
+    if (kHasEnvironment || kLocalLight != 0u) add_environment(p, lit);
     return lit;
 }
 
