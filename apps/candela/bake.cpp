@@ -116,6 +116,7 @@ int bake_probes(BakeOptions options) {
             device, job,
             {shadows_of(options.job.shadows, "realtime") == Shadows::map, options.job.shadows.atlas_texels},
             options.local);
+        if (!options.output.empty()) write_probe_pictures(job, options.output);
     }
     print_warnings(job.diagnostics);
     if (options.json) {
@@ -157,8 +158,10 @@ void add_bake(CLI::App& app, Action& action) {
         ->capture_default_str();
     command->add_flag("--refresh", options->local.refresh, "With probes: even if the cache has them");
     add_shadow_options(*command, options->job.shadows);
-    command->add_option("-o,--output", options->output,
-                        "File for the table (ltc_table.bin); its metadata goes beside it, as .json");
+    command->add_option(
+        "-o,--output", options->output,
+        "File for the table (ltc_table.bin); its metadata goes beside it, as .json. With probes: a folder "
+        "for pictures of what the reflection probes see");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

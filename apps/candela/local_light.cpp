@@ -10,6 +10,7 @@
 #include "candela/io/image_write.hpp"
 #include "candela/io/probe_file.hpp"
 #include "candela/realtime/probe_capture.hpp"
+#include "candela/scene/error.hpp"
 #include "candela/truth/irradiance_bake.hpp"
 #include "fingerprint.hpp"
 #include "path_mode.hpp"
@@ -71,7 +72,7 @@ double seconds_since(Clock::time_point start) {
 LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& options) {
     LocalLightReport report;
     auto& volumes = job.scene.irradiance_volumes;
-    if (volumes.empty()) return report;
+    if (volumes.empty() || (!options.refresh && !volumes.front().probes.empty())) return report;
     const auto start = Clock::now();
     const std::uint64_t key = scene_fingerprint(
         job.scene, "irradiance 1 " + realtime::describe(job.profile) + " " + std::to_string(options.samples));
@@ -97,7 +98,7 @@ LocalLightReport fill_reflection_probes(const gpu::Device& device, Job& job,
                                         const LocalLightOptions& options) {
     LocalLightReport report;
     auto& probes = job.scene.reflection_probes;
-    if (probes.empty()) return report;
+    if (probes.empty() || (!options.refresh && !probes.front().capture.empty())) return report;
     const auto start = Clock::now();
     // What the volumes hold follows from the scene and the settings, as the probes' pictures do.
     const std::uint64_t key = scene_fingerprint(

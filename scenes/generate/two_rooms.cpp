@@ -57,8 +57,8 @@ nlohmann::json room_box(const std::string& name, float side, float into_wall_m) 
 // with a reflection probe and an irradiance volume of its own. Nothing of the sky gets in.
 void write_two_rooms(const std::filesystem::path& folder) {
     GltfDocument scene("two_rooms");
-    const int warm = scene.material(simple_material("warm plaster", {0.75f, 0.55f, 0.38f}, 0.0f, 0.9f));
-    const int cool = scene.material(simple_material("cool plaster", {0.35f, 0.5f, 0.7f}, 0.0f, 0.9f));
+    const int warm = scene.material(simple_material("warm plaster", {0.72f, 0.6f, 0.48f}, 0.0f, 0.9f));
+    const int cool = scene.material(simple_material("cool plaster", {0.45f, 0.56f, 0.68f}, 0.0f, 0.9f));
     const int white = scene.material(simple_material("white", {0.8f, 0.8f, 0.78f}, 0.0f, 0.9f));
     const int floor = scene.material(simple_material("polished stone", {0.2f, 0.18f, 0.17f}, 0.0f, 0.2f));
     const int gold = scene.material(simple_material("gold", {1.0f, 0.77f, 0.34f}, 1.0f, 0.25f));
@@ -69,8 +69,8 @@ void write_two_rooms(const std::filesystem::path& folder) {
     add_wall_between(scene, white);
     scene.place("floor", box({2.0f * kWidth_m + 3.0f * kWall_m, kWall_m, kDepth_m + 2.0f * kWall_m}), floor,
                 {{0, -0.5f * kWall_m, 0}});
-    add_panel(scene, -1.0f, 3000.0f, 3000.0f);
-    add_panel(scene, 1.0f, 600.0f, 6500.0f);
+    add_panel(scene, -1.0f, 3000.0f, 4500.0f);
+    add_panel(scene, 1.0f, 800.0f, 7500.0f);
     scene.place("gold ball", sphere(0.35f, 64, 32), gold, {{-1.6f, 0.35f, -0.9f}});
     scene.place("steel ball", sphere(0.3f, 64, 32), steel, {{1.5f, 0.3f, -0.2f}});
     scene.place("red block", box({0.5f, 0.9f, 0.5f}), red,

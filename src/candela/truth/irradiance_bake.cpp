@@ -25,6 +25,9 @@ constexpr int kDistanceRays = 4;
 constexpr float kDistanceWidth = 2.0f;
 /// Distances end at this many cells: beyond, no point asks.
 constexpr float kFarthestCells = 2.0f;
+/// A path may find this many times the mean of its probe's paths: what one of thousands finds alone would be
+/// a blot of a cell's size, and no neighbour would confirm it.
+constexpr float kMostOverMean = 32.0f;
 constexpr std::uint32_t kSeedOfVolume = 0x9e3779b9u;
 
 glm::vec3 sphere_direction(const glm::vec2& u) {
@@ -112,8 +115,10 @@ float ringing_window(const std::array<glm::vec3, 9>& sh) {
 }
 
 void IrradianceBake::gather(const glm::vec3& position, const glm::uvec2& pixel, IrradianceProbe& out) const {
-    std::array<glm::dvec3, 9> sums{};
+    std::vector<glm::vec3> lights(options_.samples);
+    std::vector<glm::vec3> directions(options_.samples);
     std::uint32_t back_faces = 0;
+    double mean = 0.0;
     for (std::uint32_t i = 0; i < options_.samples; ++i) {
         const PathSampler sampler(pixel, i, options_.seed);
         const Ray ray{position, sphere_direction(sampler.pixel())};
@@ -123,9 +128,16 @@ void IrradianceBake::gather(const glm::vec3& position, const glm::uvec2& pixel, 
             ++back_faces;
         }
         const PathResult path = integrator_.trace(ray, sampler);
-        const glm::dvec3 light(path.luminance_nit - path.emissive);
+        directions[i] = ray.direction;
+        lights[i] = path.luminance_nit - path.emissive;
+        mean += double(shading::luminance(lights[i])) / options_.samples;
+    }
+    std::array<glm::dvec3, 9> sums{};
+    for (std::uint32_t i = 0; i < options_.samples; ++i) {
+        const float over = shading::luminance(lights[i]) / std::max(kMostOverMean * float(mean), 1e-20f);
+        const glm::dvec3 light(lights[i] / std::max(over, 1.0f));
         for (int k = 0; k < shading::kHarmonics; ++k)
-            sums[std::size_t(k)] += light * double(shading::harmonic(k, ray.direction));
+            sums[std::size_t(k)] += light * double(shading::harmonic(k, directions[i]));
     }
     out.valid = double(back_faces) <= kMostBackFaces * options_.samples;
     const double scale = 4.0 * double(shading::PI) / options_.samples;

@@ -9,7 +9,7 @@ namespace candela::truth {
 
 struct IrradianceBakeOptions {
     PathOptions path;              ///< the material model; what only a picture needs is set by the bake
-    std::uint32_t samples = 1024;  ///< paths of each probe
+    std::uint32_t samples = 2048;  ///< paths of each probe
     std::uint32_t seed = 0;
     std::function<void(double fraction)> progress;  ///< from any thread, one at a time
 };
