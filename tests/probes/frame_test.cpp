@@ -90,10 +90,10 @@ TEST(IrradianceVolume, AWhiteSphereVanishesInAFurnace) {
     white.perceptual_roughness = 1.0f;
     scene::Scene s = scene_of(sphere(1.0f), white);
     s.environment = constant(1000.0f);
-    s.irradiance_volumes = {volume(glm::vec3(0.0f), glm::vec3(1.2f), {6, 6, 6})};
-    s.irradiance_volumes = baked(s, 64);
+    s.irradiance_volumes = {volume(glm::vec3(0.0f), glm::vec3(1.2f), {4, 4, 4})};
+    s.irradiance_volumes = baked(s, 512);
     const realtime::Still still = render(s, scene::look_at({0, 0, 4}, {0, 0, 0}, 0.6f));
-    for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 1000.0f, 25.0f);
+    for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 1000.0f, 15.0f);
 }
 
 // The light of a room does not come through its wall: a volume over both, probes of the lit room next to the
@@ -102,9 +102,12 @@ TEST(IrradianceVolume, LightDoesNotLeakThroughAThinWall) {
     scene::Scene s = bright_and_dark_room();
     s.irradiance_volumes = {volume(glm::vec3(0.0f), {2.0f, 1.0f, 1.0f}, {9, 4, 4})};
     s.irradiance_volumes = baked(s);
+    const gpu::Device device{validated()};
+    realtime::Renderer renderer(device, s, options("best", 32));
     const auto mean = [&](const glm::vec3& eye, const glm::vec3& target) {
         double sum = 0.0;
-        const realtime::Still still = render(s, scene::look_at(eye, target, 1.2f), 32, 3.0f);
+        const realtime::Still still =
+            renderer.render_still(scene::look_at(eye, target, 1.2f), fixed_ev(3.0f));
         for (const glm::vec4& nit : still.planes.light_nit) sum += double(nit.x);
         return sum / double(still.planes.light_nit.size());
     };
@@ -123,8 +126,8 @@ TEST(IrradianceVolume, TheSameBytesForAnyNumberOfThreads) {
     const auto a = baked(s, 64);
     const auto b = baked(s, 64);
     for (std::size_t i = 0; i < a[0].probes.size(); ++i) {
-        EXPECT_EQ(a[0].probes[i].irradiance_sh, b[0].probes[i].irradiance_sh);
-        EXPECT_EQ(a[0].probes[i].distances, b[0].probes[i].distances);
+        EXPECT_TRUE(a[0].probes[i].irradiance_sh == b[0].probes[i].irradiance_sh);
+        EXPECT_TRUE(a[0].probes[i].distances == b[0].probes[i].distances);
     }
 }
 
@@ -140,6 +143,7 @@ TEST(ProbeCapture, AMetalWallIsDiffuseWithItsF0AndTheSkyIsNotThere) {
     scene::ReflectionProbe probe;
     probe.world = at({0, 0, 1});
     probe.half_size_m = glm::vec3(1.0f);
+    probe.margin_m = probe.fade_m = 0.2f;
     s.reflection_probes = {probe};
     const gpu::Device device{validated()};
     realtime::ProbeCaptureOptions o;
@@ -155,28 +159,31 @@ TEST(ProbeCapture, AMetalWallIsDiffuseWithItsF0AndTheSkyIsNotThere) {
     EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
 }
 
-// Each pass is made of the pass before alone, so the order of the probes is nothing; and light that meets
-// more surfaces is more light.
+// Each pass is made of the pass before alone, so the order of the probes is nothing, where they overlap too;
+// and light that meets more surfaces is more light.
 TEST(ProbeCapture, DoesNotDependOnTheOrderOfTheProbes) {
     scene::Scene s = bright_and_dark_room();
-    for (const float side : {-1.0f, 1.0f}) {
+    for (const float half_m : {0.8f, 1.0f}) {
         scene::ReflectionProbe probe;
-        probe.world = at({side, 0, 0});
-        probe.half_size_m = glm::vec3(1.0f);
+        probe.world = at({-1.9f + half_m, half_m - 1.0f, 0});
+        probe.half_size_m = glm::vec3(half_m);
+        probe.margin_m = probe.fade_m = 0.2f;
         s.reflection_probes.push_back(probe);
     }
     const gpu::Device device{validated()};
     realtime::ProbeCaptureOptions o;
     o.profile = realtime::profile_by_name("best");
     o.face_texels = 16;
+    o.passes = 2;
     const auto forward = realtime::capture_probe_faces(device, s, o);
     std::swap(s.reflection_probes[0], s.reflection_probes[1]);
     const auto backward = realtime::capture_probe_faces(device, s, o);
-    EXPECT_EQ(forward[0].faces, backward[1].faces);
-    EXPECT_EQ(forward[1].faces, backward[0].faces);
+    EXPECT_TRUE(forward[0].faces == backward[1].faces);
+    EXPECT_TRUE(forward[1].faces == backward[0].faces);
     o.passes = 1;
     const auto once = realtime::capture_probe_faces(device, s, o);
-    EXPECT_GT(bake::read_faces(forward[0], {0, 1, 0}).x, 1.2f * bake::read_faces(once[1], {0, 1, 0}).x);
+    const glm::vec3 up(0.0f, 1.0f, 0.0f);
+    EXPECT_GT(bake::read_faces(backward[0], up).x, 1.2f * bake::read_faces(once[0], up).x);
 }
 
 // All that a filter and the frame do with a probe keeps what is the same everywhere.
@@ -190,7 +197,8 @@ TEST(ReflectionProbe, UniformLightStaysAcrossEveryBorder) {
     for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 100.0f, 1.5f);
 }
 
-// Where a probe's influence ends there is no line: a bright probe over a dim sky.
+// Where a probe's influence ends there is no line: a bright probe over a dim sky, over 0.5 m, of which a
+// pixel shows 6 cm.
 TEST(ReflectionProbe, TheBorderOfItsInfluenceIsNoStep) {
     scene::Scene s = metal_floor();
     s.environment = constant(50.0f);
@@ -203,7 +211,7 @@ TEST(ReflectionProbe, TheBorderOfItsInfluenceIsNoStep) {
     };
     EXPECT_NEAR(row(size / 2), 100.0f, 1.5f);
     EXPECT_NEAR(row(1), 50.0f, 1.0f);
-    for (std::uint32_t x = 2; x < size; ++x) EXPECT_LT(std::abs(row(x) - row(x - 1)), 9.0f) << x;
+    for (std::uint32_t x = 2; x < size; ++x) EXPECT_LT(std::abs(row(x) - row(x - 1)), 10.0f) << x;
 }
 
 TEST(ReflectionProbe, TheSmallerProbeIsAskedFirstAndTheSkyLast) {

@@ -59,7 +59,7 @@ CANDELA_SHADING_END
     X(case_probe_influence, 1e-5f)   \
     X(case_composition, 1e-6f)       \
     X(case_harmonics, 1e-5f)         \
-    X(case_volume_weights, 2e-5f)    \
+    X(case_volume_weights, 1e-4f)    \
     X(case_octahedral_fold, 0.0f)
 
 #endif

@@ -32,7 +32,7 @@ measure::Picture truth_of(const scene::Scene& s, std::uint32_t width, std::uint3
     o.path.techniques = shading::techniques_best();
     o.width = width;
     o.height = height;
-    o.samples = 128;
+    o.samples = 64;
     const auto team = truth::join_team();
     const truth::Film film = truth::render_path(s, s.cameras.front(), o, *team).film;
     measure::Picture out{width, height, {}};
@@ -66,7 +66,7 @@ double flip(const measure::Picture& frame, const measure::Picture& truth) {
 void fill(scene::Scene& s) {
     truth::IrradianceBakeOptions o;
     o.path.techniques = shading::techniques_best();
-    o.samples = 512;
+    o.samples = 256;
     s.irradiance_volumes = truth::bake_irradiance(s, o);
 }
 

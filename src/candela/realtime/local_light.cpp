@@ -174,6 +174,9 @@ void upload_local_light(const gpu::Device& device, gpu::Commands& commands,
     for (const scene::ReflectionProbe& probe : probes) {
         if (capture || !probe.capture.empty()) taken.push_back(&probe);
     }
+    // The order of composition (Frostbite 4.9.5), whatever order the scene has.
+    std::stable_sort(taken.begin(), taken.end(),
+                     [](const auto* a, const auto* b) { return a->volume_m3() < b->volume_m3(); });
     std::vector<const scene::IrradianceVolume*> baked;
     for (const scene::IrradianceVolume& volume : volumes) {
         if (!volume.probes.empty()) baked.push_back(&volume);
