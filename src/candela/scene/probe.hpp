@@ -17,9 +17,9 @@ namespace candela::scene {
 /// shading/probes/parallax.glsl.
 enum class ProbeShape : std::uint8_t { sphere, box };
 
-/// The picture of a probe, filtered, in the world's axes: octahedral maps with gutters of one texel. Level i stands for
-/// perceptual roughness (i / (levels - 1))^2 (Frostbite 4.9.2, equation 63). rgb: luminance times visibility in cd/m^2; a:
-/// the part of the lobe that meets surroundings and not the sky.
+/// The picture of a probe, filtered, in the world's axes: octahedral maps with gutters of one texel. Level i
+/// stands for perceptual roughness (i / (levels - 1))^2 (Frostbite 4.9.2, equation 63). rgb: luminance times
+/// visibility in cd/m^2; a: the part of the lobe that meets surroundings and not the sky.
 struct ProbeCapture {
     std::uint32_t size = 0;  ///< texels a side of level 0; each level is half of the one before
     std::vector<std::vector<glm::vec4>> levels;
