@@ -9,6 +9,7 @@
 #include "bake_dfg.hpp"
 #include "bake_environment.hpp"
 #include "bake_lobes.hpp"
+#include "bake_probes.hpp"
 #include "candela/bake/ltc_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
 #include "candela/scene/error.hpp"
@@ -85,6 +86,9 @@ int bake_ltc(const BakeOptions& options) {
 }
 
 int bake(const BakeOptions& options) {
+    if (options.what.empty())
+        throw Error(Fault::usage, "needs what to bake", "candela bake",
+                    "candela bake ENV.exr, candela bake probes SCENE, candela bake ltc, lobes or dfg");
     if (options.what == "ltc") return bake_ltc(options);
     if (options.what == "lobes") return bake_lobes(options.output, options.json);
     if (options.what == "dfg")
@@ -139,12 +143,11 @@ void add_bake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command =
         app.add_subcommand("bake", "Filter environments and compute tables that rendering reads");
-    command
-        ->add_option(
-            "what", options->what,
-            "An environment (.exr, .hdr, .ktx2, .dds, studio) to filter; ltc: the matrices of linearly "
-            "transformed cosines; lobes: reads of environments along the lobe; dfg: directional albedos")
-        ->required();
+    command->add_option(
+        "what", options->what,
+        "An environment (.exr, .hdr, .ktx2, .dds, studio) to filter; ltc: the matrices of linearly "
+        "transformed cosines; lobes: reads of environments along the lobe; dfg: directional albedos");
+    add_bake_probes(*command, action);
     command->add_option("-o,--output", options->output,
                         "Folder for an environment (environment); file for a table (ltc_table.bin, "
                         "dfg_table.exr; lobes: none unless said), "
@@ -154,7 +157,9 @@ void add_bake(CLI::App& app, Action& action) {
     command->add_option("--dfg-size", options->dfg_size, "With dfg: texels a side (128)")
         ->check(CLI::Range(2u, 1024u));
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
-    command->callback([options, &action] { action = [options] { return bake(*options); }; });
+    command->callback([options, command, &action] {
+        if (command->get_subcommands().empty()) action = [options] { return bake(*options); };
+    });
 }
 
 }  // namespace candela::app

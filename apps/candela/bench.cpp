@@ -11,6 +11,7 @@
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
+#include "local_light.hpp"
 
 namespace candela::app {
 namespace {
@@ -64,6 +65,7 @@ int bench(const BenchOptions& options) {
     renderer_options.tone_curve = job.tone_curve;
     renderer_options.shadows = {shadows_of(options.job.shadows, "realtime") == Shadows::map,
                                 options.job.shadows.atlas_texels};
+    fill_local_light(device, job, renderer_options.shadows);
     std::vector<double> frame_ms;
     std::vector<std::vector<gpu::PassTime>> passes;
     {

@@ -87,7 +87,25 @@ void add_light(const scene::Scene& scene, Digest& digest) {
     digest.add(e.luminance_nit);
 }
 
+void add_probes(const scene::Scene& scene, Digest& digest) {
+    for (const scene::ReflectionProbe& p : scene.reflection_probes)
+        digest.numbers(p.shape, p.world, p.half_size_m, p.capture_offset_m, p.margin_m, p.fade_m);
+    for (const scene::IrradianceVolume& v : scene.irradiance_volumes)
+        digest.numbers(v.world, v.half_size_m, v.cells, v.fade_m);
+}
+
 }  // namespace
+
+std::uint64_t scene_fingerprint(const scene::Scene& scene, const std::string& settings) {
+    Digest digest;
+    digest.add(std::string(version()));
+    digest.add(settings);
+    add_geometry(scene, digest);
+    add_materials(scene, digest);
+    add_light(scene, digest);
+    add_probes(scene, digest);
+    return digest.value();
+}
 
 std::uint64_t fingerprint(const Job& job, const std::string& settings) {
     Digest digest;

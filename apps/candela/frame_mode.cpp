@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "local_light.hpp"
+
 namespace candela::app {
 namespace {
 
@@ -17,7 +19,7 @@ std::uint32_t default_samples(bool integrate) {
     return integrate ? 64 : 4;
 }
 
-FrameModeStill render_on_device(const gpu::Device& device, const Job& job, const FrameModeOptions& options) {
+FrameModeStill render_on_device(const gpu::Device& device, Job& job, const FrameModeOptions& options) {
     realtime::RendererOptions o;
     o.width = job.width;
     o.height = job.height;
@@ -30,6 +32,7 @@ FrameModeStill render_on_device(const gpu::Device& device, const Job& job, const
     if (options.integrate) o.integrate.emplace().ray_shadows = options.shadows == Shadows::ray;
     FrameModeStill out;
     const auto setup = Clock::now();
+    if (!options.integrate) fill_local_light(device, job, o.shadows);
     realtime::Renderer renderer(device, job.scene, o);
     out.setup_s = seconds_since(setup);
     const auto draw = Clock::now();

@@ -24,8 +24,8 @@ struct FrameModeStill {
     std::uint32_t unshadowed_lights = 0;
 };
 
-/// Renders the job on the device. Throws Error.
-[[nodiscard]] FrameModeStill render_on_device(const gpu::Device& device, const Job& job,
+/// Renders the job on the device, its probes filled first where its techniques read them. Throws Error.
+[[nodiscard]] FrameModeStill render_on_device(const gpu::Device& device, Job& job,
                                               const FrameModeOptions& options);
 
 }  // namespace candela::app

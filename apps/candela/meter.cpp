@@ -11,6 +11,7 @@
 #include "command.hpp"
 #include "frame_mode.hpp"
 #include "job.hpp"
+#include "local_light.hpp"
 #include "path_mode.hpp"
 #include "shading/exposure.glsl"
 
@@ -184,6 +185,8 @@ int meter(const MeterOptions& options) {
         throw Error(Fault::usage, "only the path tracer follows light further", "--direct-only",
                     "--mode path");
     Job job = prepare(options.job);
+    // Without the meter's card, so that the cache of the scene's pictures serves.
+    if (options.mode == "realtime") fill_irradiance_volumes(job, {});
     aim(job, options, way);
     const Reading reading =
         options.mode == "path" ? read_by_path(job, options) : read_on_device(job, options, way);

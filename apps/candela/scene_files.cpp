@@ -36,6 +36,7 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     out.scene = io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units}, diagnostics);
     if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
     io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
+    io::place_stage_probes(out.stage.probes, out.scene);
     return out;
 }
 

@@ -13,6 +13,8 @@ const std::vector<Demo>& demos() {
         {"cornell_room", "a room of 5.5 m with one luminous panel", write_room},
         {"light_shelf", "a light of every type, each in a cell of its own, in the unit it is sold in",
          write_light_shelf},
+        {"two_rooms", "a bright and a dim room with one polished floor, lit and mirrored by probes",
+         write_two_rooms},
     };
     return all;
 }

@@ -23,6 +23,7 @@ void write_still_life(const std::filesystem::path& folder);
 void write_lamps(const std::filesystem::path& folder);
 void write_room(const std::filesystem::path& folder);
 void write_light_shelf(const std::filesystem::path& folder);
+void write_two_rooms(const std::filesystem::path& folder);
 
 /// No demo: `count` lamps over a ground of 20 x 20 m, into many_lights_COUNT. range_m 0: such that about
 /// eight of them reach each point; else the name ends in _ranged.

@@ -40,9 +40,14 @@ void write_room(const std::filesystem::path& folder) {
                 {{0.95f, 0.825f, 0.85f}, {0, 1, 0}, glm::radians(-17.0f)});
     scene.camera("main", {0.0f, half, half + 8.0f}, {0.0f, half, 0.0f}, 35.0f);
     scene.save(folder / "cornell_room.glb");
-    write_stage(
-        folder / "cornell_room.stage.json",
-        {{"environment", {{"none", true}}}, {"exposure", manual_exposure(2.8f, 1.0f / 15.0f, 400.0f)}});
+    write_stage(folder / "cornell_room.stage.json",
+                {{"environment", {{"none", true}}},
+                 {"irradiance_volumes",
+                  {{{"name", "room"},
+                    {"center", {0.0f, half, 0.0f}},
+                    {"size_m", {size_m, size_m, size_m}},
+                    {"cells", {10, 10, 10}}}}},
+                 {"exposure", manual_exposure(2.8f, 1.0f / 15.0f, 400.0f)}});
 }
 
 }  // namespace candela::scenes

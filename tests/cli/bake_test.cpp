@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "demo_scenes.hpp"
 #include "process.hpp"
 
 namespace candela::test {
@@ -13,6 +16,31 @@ TEST(CliBake, WhatIsNoTableIsOneLineAndNoFile) {
     EXPECT_NE(outcome.err.find("candela bake ltc"), std::string::npos) << outcome.err;
     EXPECT_TRUE(outcome.out.empty());
     EXPECT_EQ(run_candela("bake").exit_code, 2);
+}
+
+// A second run finds what the first one kept; another scene does not.
+TEST(CliBake, ProbesAreKeptInTheCacheByWhatTheyDependOn) {
+    const TemporaryFolder folder;
+    scenes::write_room(folder.path());
+    ASSERT_EQ(setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1), 0);
+    const std::string args = "bake probes " + (folder / "cornell_room.glb") + " --stage " +
+                             (folder / "cornell_room.stage.json") + " --samples 16";
+    EXPECT_NE(run_candela(args + " --json").out.find("\"cached\": false"), std::string::npos);
+    EXPECT_NE(run_candela(args).out.find("found in"), std::string::npos);
+    EXPECT_NE(run_candela(args + " --light-scale 2").out.find("found in"), std::string::npos)
+        << "no punctual lights to scale";
+    EXPECT_NE(run_candela(args + " --env studio").out.find("written to"), std::string::npos);
+    EXPECT_NE(run_candela(args + " --refresh").out.find("written to"), std::string::npos);
+    unsetenv("XDG_CACHE_HOME");
+}
+
+TEST(CliBake, AStageWithoutProbesHasNothingToBake) {
+    const TemporaryFolder folder;
+    scenes::write_grey_card(folder.path());
+    const Outcome outcome = run_candela("bake probes " + (folder / "grey_card.glb"));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("irradiance_volumes"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run_candela("bake probes").exit_code, 2);
 }
 
 }  // namespace

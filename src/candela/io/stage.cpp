@@ -120,6 +120,10 @@ Stage load_stage(const std::filesystem::path& file) {
           }},
          {"lights",
           [&](const json& v, const std::string& at) { stage.lights = read_stage_lights(v, at, folder); }},
+         {"reflection_probes",
+          [&](const json& v, const std::string& at) { read_reflection_probes(v, at, stage.probes); }},
+         {"irradiance_volumes",
+          [&](const json& v, const std::string& at) { read_irradiance_volumes(v, at, stage.probes); }},
          {"camera", [&](const json& v, const std::string& at) { stage.camera = read_camera(v, at); }},
          {"exposure", [&](const json& v, const std::string& at) { stage.exposure = read_exposure(v, at); }},
          {"$schema", [&](const json& v, const std::string& at) { (void)stage_text(v, at); }}});

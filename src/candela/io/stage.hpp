@@ -6,6 +6,7 @@
 
 #include "candela/io/environment_read.hpp"
 #include "candela/io/stage_lights.hpp"
+#include "candela/io/stage_probes.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/scene.hpp"
 #include "candela/scene/sky.hpp"
@@ -37,6 +38,7 @@ struct Stage {
     std::optional<StageEnvironment> environment;
     StageCamera camera;
     std::vector<StageLight> lights;  ///< placed by place_stage_lights
+    StageProbes probes;              ///< placed by place_stage_probes
     scene::Exposure exposure;
 };
 

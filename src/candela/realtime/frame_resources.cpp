@@ -5,28 +5,14 @@ namespace candela::realtime {
 gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant) {
     const Profile& p = frame.profile;
     const auto bits = [](auto value) { return static_cast<std::uint32_t>(value); };
-    return {variant.features,
-            bits(p.specular_aa),
-            bits(p.diffuse),
-            bits(p.visibility),
-            bits(p.fresnel),
-            bits(p.energy),
-            bits(p.dfg),
-            bits(p.reflection),
-            bits(variant.layers),
-            variant.light_kinds,
-            bits(frame.has_environment),
-            bits(variant.shading_class),
-            bits(variant.emissive),
-            bits(frame.write_aovs),
-            bits(variant.forward),
-            frame.integrate_tables.variant,
-            bits(frame.culled_lights),
-            bits(p.area_diffuse),
-            bits(p.area_specular),
-            frame.shadow_kinds,
-            bits(p.shadow_filter),
-            bits(p.irradiance)};
+    return {variant.features, bits(p.specular_aa), bits(p.diffuse), bits(p.visibility), bits(p.fresnel),
+            bits(p.energy), bits(p.dfg), bits(p.reflection), bits(variant.layers), variant.light_kinds,
+            bits(frame.has_environment), bits(variant.shading_class),
+            // A probe sees no lights: the frame reflects them by itself.
+            bits(variant.emissive && (frame.local.bits & local_capture) == 0), bits(frame.write_aovs),
+            bits(variant.forward), frame.integrate_tables.variant, bits(frame.culled_lights),
+            bits(p.area_diffuse), bits(p.area_specular), frame.shadow_kinds, bits(p.shadow_filter),
+            bits(p.irradiance), frame.local.bits};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {
@@ -36,7 +22,8 @@ std::vector<VkDescriptorType> shading_set_layout() {
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 }
 
 std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene) {
@@ -52,7 +39,9 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.ltc.view(), frame.clamp.get()),
             gpu::bind_buffer(frame.shadow_records),
             gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get()),
-            gpu::bind_buffer(frame.visibilities)};
+            gpu::bind_buffer(frame.visibilities),
+            gpu::bind_buffer(frame.local.buffer),
+            gpu::bind_sampled(frame.local.atlas.view(), frame.clamp.get())};
 }
 
 void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
@@ -68,6 +57,8 @@ void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.use(frame.shadow_records, gpu::Use::storage_read);
     commands.use(frame.shadow_atlas, gpu::Use::sampled);
     commands.use(frame.visibilities, gpu::Use::storage_read);
+    commands.use(frame.local.buffer, gpu::Use::storage_read);
+    commands.use(frame.local.atlas, gpu::Use::sampled);
 }
 
 }  // namespace candela::realtime

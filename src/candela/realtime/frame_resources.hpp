@@ -10,6 +10,7 @@
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/gpu_scene.hpp"
 #include "candela/realtime/integrate_pass.hpp"
+#include "candela/realtime/local_light.hpp"
 #include "candela/realtime/profile.hpp"
 
 namespace candela::realtime {
@@ -105,6 +106,7 @@ struct FrameResources {
     gpu::Image ltc;  ///< 1 x 1 without area lights
     bake::EnvironmentMaps environment;
     IntegrateTables integrate_tables;
+    LocalLight local;
     gpu::Owned<VkSampler> clamp;     ///< linear, clamp to edge
     gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
     gpu::Owned<VkSampler> nearest;
@@ -117,7 +119,7 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...20 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...21 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;
@@ -128,7 +130,7 @@ struct ShadeVariant {
 };
 [[nodiscard]] gpu::Specialization specialization(const FrameResources& frame, const ShadeVariant& variant);
 
-/// Descriptor types and bindings 0...12 of set 0, which the lighting and the forward pass share.
+/// Descriptor types and bindings 0...14 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
 /// Declares the use of what shading_bindings() names.

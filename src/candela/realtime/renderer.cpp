@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <glm/matrix.hpp>
 
 #include "candela/bake/ltc_table.hpp"
@@ -81,6 +82,8 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.environment = bake::prefilter_environment(
         device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
     frame.integrate_tables = upload_integrate_tables(device, commands, scene, options.integrate);
+    if (!options.integrate) frame.local.bits = local_light_bits(scene, options.capture);
+    upload_local_light(device, commands, scene.reflection_probes, scene.irradiance_volumes, frame.local);
     return frame;
 }
 
@@ -150,6 +153,7 @@ struct Renderer::State {
           metering(device_in),
           light_limits(estimate_light(scene)),
           scene_bounds(scene::world_bounds(scene)) {
+        if (!scene.reflection_probes.empty()) volumes = scene.irradiance_volumes;
         if (scene.environment) {
             environment_rotation_rad = scene.environment->rotation_rad;
             environment_scale = scene.environment->scale;
@@ -185,6 +189,7 @@ struct Renderer::State {
     std::optional<PresentPass> present;
     LightEstimate light_limits;
     scene::Aabb scene_bounds;
+    std::vector<scene::IrradianceVolume> volumes;  ///< to be uploaded again beside other probes
     float environment_rotation_rad = 0.0f;
     float environment_scale = 1.0f;
     bool environment_visible = true;
@@ -218,7 +223,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
 void Renderer::State::record_light(const scene::Camera& camera) {
     shadows.record(commands, frame, gpu_scene);
     gbuffer.record(commands, frame, gpu_scene);
-    shapes.record(commands, frame, gpu_scene);
+    if (!options.capture) shapes.record(commands, frame, gpu_scene);
     classify.record(commands, frame);
     cull.record(commands, frame, gpu_scene);
     shadows.record_visibility(commands, frame, camera);
@@ -252,6 +257,33 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const R
     : state_(std::make_unique<State>(device, scene, options)) {}
 
 Renderer::~Renderer() = default;
+
+void Renderer::set_reflection_probes(std::span<const scene::ReflectionProbe> probes) {
+    State& s = *state_;
+    upload_local_light(*s.device, s.commands, probes, s.volumes, s.frame.local);
+}
+
+std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
+    State& s = *state_;
+    const float ev100 = shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f));
+    const float pre = s.pre_exposure(shading::exposure_from_ev100(ev100));
+    const std::size_t pixels = std::size_t{s.frame.width} * s.frame.height;
+    gpu::Buffer read(*s.device, pixels * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                     gpu::MemoryKind::readback);
+    s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
+    s.commands.begin();
+    s.record_light(camera);
+    s.commands.copy(s.frame.light, read);
+    s.commands.submit_and_wait();
+    std::vector<glm::vec4> out(pixels);
+    std::transform(read.mapped_as<std::uint64_t>().begin(), read.mapped_as<std::uint64_t>().end(),
+                   out.begin(), [&](std::uint64_t texel) {
+                       const glm::vec4 t = glm::unpackHalf4x16(texel);
+                       return glm::vec4(glm::vec3(t) / pre, t.w);
+                   });
+    return out;
+}
 
 std::uint32_t Renderer::unshadowed_lights() const {
     return state_->shadows.unshadowed();

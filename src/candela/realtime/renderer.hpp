@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
@@ -27,6 +28,7 @@ struct RendererOptions {
     bool aovs = false;
     bool cull_lights = true;  ///< false: every point asks every light; for tests
     ShadowOptions shadows;
+    bool capture = false;  ///< pictures are those that reflection probes take: capture_view()
     /// Finds the integrals that the profile's techniques approximate, one sample of them in each of
     /// `samples`: the mode `integrate`.
     std::optional<IntegrateOptions> integrate;
@@ -58,6 +60,13 @@ class Renderer {
     /// One interactive frame at one sample a pixel, as a viewer would show it: lit, metered, tone mapped.
     /// Returns the times of its passes. The exposure follows the frame before.
     std::vector<gpu::PassTime> render_frame(const scene::Camera& camera, const scene::Exposure& exposure);
+
+    /// What a probe sees through a camera, with options.capture: diffuse light of surfaces in cd/m^2, without
+    /// lights and sky. a: 1 where there is something. Row 0 on top.
+    [[nodiscard]] std::vector<glm::vec4> capture_view(const scene::Camera& camera);
+
+    /// Shows these instead of the scene's reflection probes, of which there must have been some.
+    void set_reflection_probes(std::span<const scene::ReflectionProbe> probes);
 
     /// Lights that cast shadows but found no room in the atlas of the last picture.
     [[nodiscard]] std::uint32_t unshadowed_lights() const;

@@ -14,6 +14,7 @@
 #include "candela/scene/light.hpp"
 #include "candela/scene/material.hpp"
 #include "candela/scene/photometric.hpp"
+#include "candela/scene/probe.hpp"
 
 /// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as
 /// glTF).
@@ -107,6 +108,8 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Node> nodes;  ///< those that have a name
     std::optional<Environment> environment;
+    std::vector<ReflectionProbe> reflection_probes;    ///< the smallest first
+    std::vector<IrradianceVolume> irradiance_volumes;  ///< the smallest first
     Exposure exposure;
 };
 

@@ -111,7 +111,7 @@ PathIntegrator::Next PathIntegrator::next_surface(Ray& ray, Hit& hit, const Path
         if (!geometry_.intersect(ray, hit)) return Next::sky;
         walked_m += hit.t;
         const bool passes =
-            (bounce == 0 && surfaces_.culled(ray, hit)) ||
+            (bounce == 0 && options_.cull_first && surfaces_.culled(ray, hit)) ||
             (any_transparency_ &&
              surfaces_.transparency(hit) > sampler.loose(bounce, static_cast<std::uint32_t>(sheet)));
         if (!passes) {

@@ -26,6 +26,9 @@ struct PathOptions {
     bool direct_only = false;  ///< light that comes straight from a source, as area-light techniques see it
     bool shadows = true;       ///< without them: direct light as if nothing were in its way
     bool furnace = false;      ///< a uniform environment of luminance 1 is the only light
+    /// What a back face is to the first ray: nothing, as to the frame's camera, or a surface, as to all other
+    /// rays.
+    bool cull_first = true;
     Draws draws = Draws::all;
 };
 

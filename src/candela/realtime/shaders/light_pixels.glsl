@@ -55,6 +55,11 @@ void main() {
 
     if (kShadingClass == kClassBackground) {
         if (depth != 0.0) return;
+        if (kCapturesProbe) {
+            // Of the sky a probe only says that it is there: the distant light has it finer and newer.
+            imageStore(light_image, pixel, vec4(0.0));
+            return;
+        }
         vec3 luminance_nit = vec3(0.0);
         if (kHasEnvironment) {
             luminance_nit = sample_background(background_map, to_environment(pixel_ray(pixel))) *

@@ -7,7 +7,7 @@
 
 #define LIGHT_FORMAT rgba16f
 const float kLightLimit = 65504.0;
-const bool kNeedsPosition = kHasLights;
+const bool kNeedsPosition = kHasLights || kLocalLight != 0u;
 
 #include "light_pixels.glsl"
 

@@ -5,6 +5,7 @@
 #include "layer_reflection.glsl"
 #include "stretched_reflection.glsl"
 
+const int kReflectionMirror = 0;
 const int kReflectionDominant = 1;
 const int kReflectionDominantFit = 2;
 const int kReflectionFitted = 3;

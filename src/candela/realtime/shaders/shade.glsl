@@ -41,7 +41,7 @@ layout(set = 0, binding = 7, std430) readonly buffer LightEntries { uint light_e
 layout(set = 0, binding = 8, std430) readonly buffer LightTables { float light_tables[]; };
 layout(set = 0, binding = 9) uniform sampler2D ltc_table;
 // Of the whole set that the lighting and the forward pass share (C++: shading_set_layout).
-const int kShadingBindings = 13;
+const int kShadingBindings = 15;
 
 #include "shadows.glsl"
 
@@ -120,8 +120,21 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
 }
 
 #include "light_loop.glsl"
+#include "local_light.glsl"
 
 #include "reflection.glsl"
+
+// Unit directions in which local light is read for the base's lobes: once a lobe, whatever the technique reads of the
+// environment.
+vec3 diffuse_direction(SurfacePoint p) {
+    if (kDiffuse == kDiffuseLambert) return p.g.normal;
+    float alpha = alpha_from_perceptual_roughness(p.g.surface.perceptual_roughness);
+    return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, alpha));
+}
+vec3 reflection_direction(vec3 n, vec3 v, float alpha) {
+    vec3 mirror = 2.0 * dot(n, v) * n - v;
+    return kReflection == kReflectionMirror ? mirror : normalize(specular_dominant_direction(n, mirror, alpha));
+}
 
 void add_environment(SurfacePoint p, inout Lit lit) {
     GBuffer g = p.g;
@@ -131,11 +144,16 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     float alpha = alpha_from_perceptual_roughness(g.surface.perceptual_roughness);
     float specular_visible = specular_occlusion(NoV, g.occlusion, alpha);
     vec3 irradiance_over_pi = environment_diffuse(g.normal, v, NoV, g.surface.perceptual_roughness);
+    vec3 radiance = environment_base(p);
+    if (kLocalLight != 0u) {
+        irradiance_over_pi = local_irradiance(p.position, g.normal, v, diffuse_direction(p), irradiance_over_pi);
+        radiance = local_specular(p.position, g.normal, v, reflection_direction(g.normal, v, alpha),
+                                  g.surface.perceptual_roughness, radiance);
+    }
     if (kDfg == kDfgFullyRough) {
         lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
         return;
     }
-    vec3 radiance = environment_base(p);
     if (!kShadeLayers) {
         vec3 weight = ibl_specular_weight(g.surface, techniques(), NoV, dfg);
         if (kDfg == kDfgNonmetal && g.surface.metallic == 0.0) {
@@ -149,6 +167,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec4 coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
     vec3 coat_radiance = environment_specular(g.coat_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
+    if (kLocalLight != 0u) {
+        float coat_alpha = alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness);
+        coat_radiance = local_specular(p.position, g.coat_normal, v, reflection_direction(g.coat_normal, v, coat_alpha),
+                                       g.surface.coat_perceptual_roughness, coat_radiance);
+    }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
                             w.sheen * environment_sheen(p, irradiance_over_pi) * g.occlusion;
@@ -157,6 +180,7 @@ void add_environment(SurfacePoint p, inout Lit lit) {
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the
 // viewer's side; read only where shadows are looked up.
 Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light, vec4 facet, ivec2 pixel) {
+    if (kCapturesProbe) g = captured_surface(g);
     SurfacePoint p = surface_point(g, position, v);
     p.facet = facet;
     p.pixel = pixel;
@@ -165,7 +189,7 @@ Lit shade(GBuffer g, vec3 position, vec3 v, uint first_light, vec4 facet, ivec2 
     if (kHasLights && kShadowKinds != 0u) remember_visibilities(first_light, position, facet, pixel);
 #endif
     if (kHasLights) add_lights(p, first_light, lit);
-    if (kHasEnvironment) add_environment(p, lit);
+    if (kHasEnvironment || kLocalLight != 0u) add_environment(p, lit);
     return lit;
 }
 

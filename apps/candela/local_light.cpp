@@ -1,0 +1,130 @@
+#include "local_light.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <span>
+
+#include "candela/io/image_read.hpp"
+#include "candela/io/image_write.hpp"
+#include "candela/io/probe_file.hpp"
+#include "candela/realtime/probe_capture.hpp"
+#include "candela/scene/error.hpp"
+#include "candela/truth/irradiance_bake.hpp"
+#include "fingerprint.hpp"
+#include "path_mode.hpp"
+
+namespace candela::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+
+/// Long work shows itself on a terminal only.
+std::function<void(double)> progress_of(const char* what, bool quiet) {
+    if (quiet || isatty(STDERR_FILENO) == 0) return {};
+    return [what](double fraction) {
+        std::fprintf(stderr, "\rcandela: %s: %3.0f %%%s", what, 100.0 * fraction,
+                     fraction >= 1.0 ? "\n" : "");
+    };
+}
+
+std::filesystem::path cache_file(std::uint64_t key, const char* ending) {
+    const std::filesystem::path folder = gpu::user_cache_folder();
+    if (folder.empty()) return {};
+    char name[40];
+    std::snprintf(name, sizeof(name), "%016llx.%s", static_cast<unsigned long long>(key), ending);
+    return folder / "probes" / name;
+}
+
+/// What the cache has; anything that is wrong with it is the same as nothing.
+std::string read_cache(const std::filesystem::path& file) {
+    std::error_code none;
+    if (file.empty() || !std::filesystem::is_regular_file(file, none)) return {};
+    try {
+        const std::vector<std::byte> bytes = io::read_file(file, kLargestFile);
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+/// A cache that cannot be written only costs time.
+void write_cache(std::filesystem::path& file, const std::string& bytes) {
+    if (file.empty()) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    try {
+        io::write_file(file, std::as_bytes(std::span(bytes)));
+    } catch (const Error&) {
+        file.clear();
+    }
+}
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& options) {
+    LocalLightReport report;
+    auto& volumes = job.scene.irradiance_volumes;
+    if (volumes.empty() || (!options.refresh && !volumes.front().probes.empty())) return report;
+    const auto start = Clock::now();
+    const std::uint64_t key = scene_fingerprint(
+        job.scene, "irradiance 1 " + realtime::describe(job.profile) + " " + std::to_string(options.samples));
+    report.file = cache_file(key, "irradiance");
+    report.cached = !options.refresh && io::decode_irradiance(read_cache(report.file), key, volumes);
+    if (!report.cached) {
+        truth::IrradianceBakeOptions bake;
+        bake.path.techniques = path_techniques(job.profile);
+        bake.samples = options.samples;
+        bake.progress = progress_of("irradiance volumes", options.quiet);
+        volumes = truth::bake_irradiance(job.scene, bake);
+        const std::string bytes = io::encode_irradiance(volumes, key);
+        // As the next run finds it: both show the same picture.
+        (void)io::decode_irradiance(bytes, key, volumes);
+        write_cache(report.file, bytes);
+    }
+    report.seconds = seconds_since(start);
+    return report;
+}
+
+LocalLightReport fill_reflection_probes(const gpu::Device& device, Job& job,
+                                        const realtime::ShadowOptions& shadows,
+                                        const LocalLightOptions& options) {
+    LocalLightReport report;
+    auto& probes = job.scene.reflection_probes;
+    if (probes.empty() || (!options.refresh && !probes.front().capture.empty())) return report;
+    const auto start = Clock::now();
+    // What the volumes hold follows from the scene and the settings, as the probes' pictures do.
+    const std::uint64_t key = scene_fingerprint(
+        job.scene, "captures 1 " + realtime::describe(job.profile) + " " + device_line(device.info()) + " " +
+                       std::to_string(options.samples) + " " + std::to_string(options.passes) + " " +
+                       std::to_string(shadows.maps) + " " + std::to_string(shadows.atlas_texels));
+    report.file = cache_file(key, "probes");
+    report.cached = !options.refresh && io::decode_captures(read_cache(report.file), key, probes);
+    if (!report.cached) {
+        realtime::ProbeCaptureOptions capture;
+        capture.profile = job.profile;
+        capture.shadows = shadows;
+        capture.passes = options.passes;
+        capture.progress = progress_of("reflection probes", options.quiet);
+        probes = realtime::capture_reflection_probes(device, job.scene, capture);
+        const std::string bytes = io::encode_captures(probes, key);
+        (void)io::decode_captures(bytes, key, probes);
+        write_cache(report.file, bytes);
+    }
+    report.seconds = seconds_since(start);
+    return report;
+}
+
+void fill_local_light(const gpu::Device& device, Job& job, const realtime::ShadowOptions& shadows) {
+    (void)fill_irradiance_volumes(job, {});
+    (void)fill_reflection_probes(device, job, shadows, {});
+}
+
+}  // namespace candela::app

@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "candela/realtime/probe_capture.hpp"
+#include "candela/truth/irradiance_bake.hpp"
+#include "common/contact_scenes.hpp"
+#include "realtime/render_scenes.hpp"
+
+using namespace candela;
+using namespace candela::test;
+
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+realtime::Still render(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t size = 32,
+                       float ev100 = 10.0f) {
+    const gpu::Device device{validated()};
+    realtime::Still still;
+    {
+        realtime::Renderer renderer(device, scene, options("best", size));
+        still = renderer.render_still(camera, fixed_ev(ev100));
+    }
+    EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
+    return still;
+}
+
+std::vector<scene::IrradianceVolume> baked(const scene::Scene& scene, std::uint32_t samples = 256) {
+    truth::IrradianceBakeOptions o;
+    o.path.techniques = shading::techniques_best();
+    o.samples = samples;
+    return truth::bake_irradiance(scene, o);
+}
+
+scene::IrradianceVolume volume(const glm::vec3& middle, const glm::vec3& half_size_m,
+                               const glm::ivec3& cells) {
+    scene::IrradianceVolume v;
+    v.world = at(middle);
+    v.half_size_m = half_size_m;
+    v.cells = cells;
+    return v;
+}
+
+/// A probe that has seen the same everywhere.
+scene::ReflectionProbe uniform_probe(float half_m, float nit, float visibility) {
+    scene::ReflectionProbe p;
+    p.half_size_m = glm::vec3(half_m);
+    p.capture.size = 16;
+    for (std::uint32_t size = 16; size >= 4; size /= 2)
+        p.capture.levels.emplace_back(std::size_t{size} * size,
+                                      glm::vec4(glm::vec3(nit * visibility), visibility));
+    return p;
+}
+
+scene::Scene metal_floor() {
+    scene::Material m;
+    m.base_color = glm::vec4(1.0f);
+    m.metallic = 1.0f;
+    m.perceptual_roughness = 0.3f;
+    scene::Scene s;
+    s.materials.push_back(m);
+    place(s, square(4.0f), glm::rotate(glm::mat4(1.0f), -0.5f * kPi, {1.0f, 0.0f, 0.0f}));
+    return s;
+}
+
+/// Two closed rooms of 2 m, one lamp: x from -2 to 2, a wall of 6 cm at 0.
+scene::Scene bright_and_dark_room() {
+    scene::Scene s;
+    s.materials.push_back(grey(0.7f));
+    for (const float side : {-1.0f, 1.0f}) {
+        place(s, box({2.2f, 0.1f, 1.2f}), at({0, side * 1.1f, 0}));
+        place(s, box({2.2f, 1.2f, 0.1f}), at({0, 0, side * 1.1f}));
+        place(s, box({0.1f, 1.2f, 1.2f}), at({side * 2.1f, 0, 0}));
+    }
+    place(s, box({0.03f, 1.2f, 1.2f}), glm::mat4(1.0f));
+    scene::Light lamp;
+    lamp.position = {-1.0f, 0.3f, 0.1f};
+    lamp.intensity = 100.0f;
+    s.lights.push_back(lamp);
+    return s;
+}
+
+}  // namespace
+
+// A white furnace with a volume in it: a sphere of albedo 1 and its sky are the same everywhere, so what the
+// path tracer bakes and the frame reads back must vanish too, near probes inside of the sphere as well.
+TEST(IrradianceVolume, AWhiteSphereVanishesInAFurnace) {
+    scene::Material white = grey(1.0f);
+    white.perceptual_roughness = 1.0f;
+    scene::Scene s = scene_of(sphere(1.0f), white);
+    s.environment = constant(1000.0f);
+    s.irradiance_volumes = {volume(glm::vec3(0.0f), glm::vec3(1.2f), {4, 4, 4})};
+    s.irradiance_volumes = baked(s, 512);
+    const realtime::Still still = render(s, scene::look_at({0, 0, 4}, {0, 0, 0}, 0.6f));
+    for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 1000.0f, 15.0f);
+}
+
+// The light of a room does not come through its wall: a volume over both, probes of the lit room next to the
+// dark one.
+TEST(IrradianceVolume, LightDoesNotLeakThroughAThinWall) {
+    scene::Scene s = bright_and_dark_room();
+    s.irradiance_volumes = {volume(glm::vec3(0.0f), {2.0f, 1.0f, 1.0f}, {9, 4, 4})};
+    s.irradiance_volumes = baked(s);
+    const gpu::Device device{validated()};
+    realtime::Renderer renderer(device, s, options("best", 32));
+    const auto mean = [&](const glm::vec3& eye, const glm::vec3& target) {
+        double sum = 0.0;
+        const realtime::Still still =
+            renderer.render_still(scene::look_at(eye, target, 1.2f), fixed_ev(3.0f));
+        for (const glm::vec4& nit : still.planes.light_nit) sum += double(nit.x);
+        return sum / double(still.planes.light_nit.size());
+    };
+    const double lit = mean({-0.2f, 0, 0}, {-2, -0.5f, 0});
+    const double lit_wall = mean({-1.8f, 0, 0}, {0, 0, 0});
+    const double dark_wall = mean({1.8f, 0, 0}, {0, 0, 0});
+    const double dark_corner = mean({1.5f, 0.5f, 0.5f}, {0, -1, -1});
+    EXPECT_GT(lit, 1.0);
+    EXPECT_LT(dark_wall, 0.003 * lit_wall);
+    EXPECT_LT(dark_corner, 0.003 * lit_wall);
+}
+
+TEST(IrradianceVolume, TheSameBytesForAnyNumberOfThreads) {
+    scene::Scene s = bright_and_dark_room();
+    s.irradiance_volumes = {volume(glm::vec3(0.0f), {2.0f, 1.0f, 1.0f}, {2, 1, 1})};
+    const auto a = baked(s, 64);
+    const auto b = baked(s, 64);
+    for (std::size_t i = 0; i < a[0].probes.size(); ++i) {
+        EXPECT_TRUE(a[0].probes[i].irradiance_sh == b[0].probes[i].irradiance_sh);
+        EXPECT_TRUE(a[0].probes[i].distances == b[0].probes[i].distances);
+    }
+}
+
+// Frostbite 4.9.1.2: no specular light, metals diffuse with f0 as albedo, and only surroundings in alpha.
+TEST(ProbeCapture, AMetalWallIsDiffuseWithItsF0AndTheSkyIsNotThere) {
+    scene::Material gold;
+    gold.base_color = {1.0f, 0.8f, 0.3f, 1.0f};
+    gold.metallic = 1.0f;
+    gold.perceptual_roughness = 0.2f;
+    scene::Scene s = scene_of(square(50.0f), gold);
+    s.lights.push_back(sun(10000.0f));
+    s.environment = constant(500.0f);
+    scene::ReflectionProbe probe;
+    probe.world = at({0, 0, 1});
+    probe.half_size_m = glm::vec3(1.0f);
+    probe.margin_m = probe.fade_m = 0.2f;
+    s.reflection_probes = {probe};
+    const gpu::Device device{validated()};
+    realtime::ProbeCaptureOptions o;
+    o.profile = realtime::profile_by_name("best");
+    o.face_texels = 16;
+    o.passes = 1;
+    const std::vector<bake::ProbeFaces> faces = realtime::capture_probe_faces(device, s, o);
+    const glm::vec4 wall = bake::read_faces(faces[0], {0, 0, -1});
+    EXPECT_NEAR(wall.x, 10000.0f / kPi, 0.01f * 10000.0f / kPi);
+    EXPECT_NEAR(wall.z / wall.x, 0.3f, 0.005f);
+    EXPECT_EQ(wall.w, 1.0f);
+    EXPECT_EQ(bake::read_faces(faces[0], {0, 0, 1}), glm::vec4(0.0f));
+    EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
+}
+
+// Each pass is made of the pass before alone, so the order of the probes is nothing, where they overlap too;
+// and light that meets more surfaces is more light.
+TEST(ProbeCapture, DoesNotDependOnTheOrderOfTheProbes) {
+    scene::Scene s = bright_and_dark_room();
+    for (const float half_m : {0.8f, 1.0f}) {
+        scene::ReflectionProbe probe;
+        probe.world = at({-1.9f + half_m, half_m - 1.0f, 0});
+        probe.half_size_m = glm::vec3(half_m);
+        probe.margin_m = probe.fade_m = 0.2f;
+        s.reflection_probes.push_back(probe);
+    }
+    const gpu::Device device{validated()};
+    realtime::ProbeCaptureOptions o;
+    o.profile = realtime::profile_by_name("best");
+    o.face_texels = 16;
+    o.passes = 2;
+    const auto forward = realtime::capture_probe_faces(device, s, o);
+    std::swap(s.reflection_probes[0], s.reflection_probes[1]);
+    const auto backward = realtime::capture_probe_faces(device, s, o);
+    EXPECT_TRUE(forward[0].faces == backward[1].faces);
+    EXPECT_TRUE(forward[1].faces == backward[0].faces);
+    o.passes = 1;
+    const auto once = realtime::capture_probe_faces(device, s, o);
+    const glm::vec3 up(0.0f, 1.0f, 0.0f);
+    EXPECT_GT(bake::read_faces(backward[0], up).x, 1.1f * bake::read_faces(once[0], up).x);
+}
+
+// All that a filter and the frame do with a probe keeps what is the same everywhere.
+TEST(ReflectionProbe, UniformLightStaysAcrossEveryBorder) {
+    scene::Scene s = metal_floor();
+    s.environment = constant(100.0f);
+    s.reflection_probes = {uniform_probe(0.5f, 100.0f, 0.3f), uniform_probe(1.0f, 100.0f, 0.6f),
+                           uniform_probe(2.0f, 100.0f, 1.0f)};
+    for (auto& p : s.reflection_probes) p.margin_m = p.fade_m = 0.4f;
+    const realtime::Still still = render(s, scene::look_at({0, 3, 3}, {0, 0, 0}, 1.0f));
+    for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 100.0f, 1.5f);
+}
+
+// Where a probe's influence ends there is no line: a bright probe over a dim sky, over 0.5 m, of which a
+// pixel shows 6 cm.
+TEST(ReflectionProbe, TheBorderOfItsInfluenceIsNoStep) {
+    scene::Scene s = metal_floor();
+    s.environment = constant(50.0f);
+    s.reflection_probes = {uniform_probe(1.0f, 100.0f, 1.0f)};
+    s.reflection_probes[0].margin_m = s.reflection_probes[0].fade_m = 0.5f;
+    constexpr std::uint32_t size = 64;
+    const realtime::Still still = render(s, scene::look_at({0, 3, 0.01f}, {0, 0, 0}, 1.2f), size);
+    const auto row = [&](std::uint32_t x) {
+        return still.planes.light_nit[std::size_t{size / 2} * size + x].x;
+    };
+    EXPECT_NEAR(row(size / 2), 100.0f, 1.5f);
+    EXPECT_NEAR(row(1), 50.0f, 1.0f);
+    for (std::uint32_t x = 2; x < size; ++x) EXPECT_LT(std::abs(row(x) - row(x - 1)), 10.0f) << x;
+}
+
+TEST(ReflectionProbe, TheSmallerProbeIsAskedFirstAndTheSkyLast) {
+    scene::Scene s = metal_floor();
+    s.environment = constant(10.0f);
+    s.reflection_probes = {uniform_probe(0.5f, 100.0f, 0.5f), uniform_probe(2.0f, 1000.0f, 0.75f)};
+    const realtime::Still still = render(s, scene::look_at({0, 3, 0.01f}, {0, 0, 0}, 0.1f));
+    EXPECT_NEAR(center(still).x, 0.5f * 100.0f + 0.25f * 1000.0f + 0.25f * 10.0f, 3.0f);
+}
