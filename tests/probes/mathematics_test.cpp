@@ -4,7 +4,7 @@
 
 #include "shading/octahedral.glsl"
 #include "shading/probes/composition.glsl"
-#include "shading/probes/diffuse_direction.glsl"
+#include "shading/dominant_direction.glsl"
 #include "shading/probes/harmonics.glsl"
 #include "shading/probes/parallax.glsl"
 #include "shading/probes/volume.glsl"

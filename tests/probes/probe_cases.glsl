@@ -3,7 +3,7 @@
 #define CANDELA_PROBE_CASES_GLSL
 
 #include "../../shading/probes/composition.glsl"
-#include "../../shading/probes/diffuse_direction.glsl"
+#include "../../shading/dominant_direction.glsl"
 #include "../../shading/probes/harmonics.glsl"
 #include "../../shading/probes/parallax.glsl"
 #include "../../shading/probes/volume.glsl"

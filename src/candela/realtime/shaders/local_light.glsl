@@ -4,7 +4,7 @@
 
 #include "octahedral.glsl"
 #include "probes/composition.glsl"
-#include "probes/diffuse_direction.glsl"
+#include "dominant_direction.glsl"
 #include "probes/harmonics.glsl"
 #include "probes/parallax.glsl"
 #include "probes/volume.glsl"

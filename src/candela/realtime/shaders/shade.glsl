@@ -128,8 +128,7 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
 // environment.
 vec3 diffuse_direction(SurfacePoint p) {
     if (kDiffuse == kDiffuseLambert) return p.g.normal;
-    float alpha = alpha_from_perceptual_roughness(p.g.surface.perceptual_roughness);
-    return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, alpha));
+    return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness));
 }
 vec3 reflection_direction(vec3 n, vec3 v, float alpha) {
     vec3 mirror = 2.0 * dot(n, v) * n - v;
