@@ -2,9 +2,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "shading/dominant_direction.glsl"
 #include "shading/octahedral.glsl"
 #include "shading/probes/composition.glsl"
-#include "shading/dominant_direction.glsl"
 #include "shading/probes/harmonics.glsl"
 #include "shading/probes/parallax.glsl"
 #include "shading/probes/volume.glsl"

@@ -45,10 +45,9 @@ LightingPass::LightingPass(const gpu::Device& device, const FrameResources& fram
         variant.light_kinds = scene.light_list.kinds;
         variant.emissive = scene.any_emissive;
         const bool unlit = shading_class == ShadingClass::background || shading_class == ShadingClass::unlit;
-        pipelines_.push_back(
-            {shading_class,
-             gpu::create_compute_pipeline(device, unlit && !frame.integrate ? variants.plain : code, layout(),
-                                          specialization(frame, variant))});
+        pipelines_.push_back({shading_class, gpu::create_compute_pipeline(
+                                                 device, unlit && !frame.integrate ? variants.plain : code,
+                                                 layout(), specialization(frame, variant))});
     };
     add(ShadingClass::background);
     bool standard = false;

@@ -92,11 +92,12 @@ Plot illuminance_plot() {
 /// A.2.
 Plot zenith_plot() {
     constexpr double turbidity = 2.5;
-    Plot plot{"Luminance at the zenith, turbidity 2.5",
-              "The two fits are two- to fourfold apart. Air without aerosol is the least that a zenith can be.",
-              {"sun's elevation, deg", 5.0, 60.0},
-              {"cd/m^2", 0.0, 10000.0},
-              {}};
+    Plot plot{
+        "Luminance at the zenith, turbidity 2.5",
+        "The two fits are two- to fourfold apart. Air without aerosol is the least that a zenith can be.",
+        {"sun's elevation, deg", 5.0, 60.0},
+        {"cd/m^2", 0.0, 10000.0},
+        {}};
     const std::vector<double> elevations{5.0, 15.0, 30.0, 45.0, 60.0};
     const auto zenith = [](double e, double t) {
         return double(luminance(bake::SkyModel(settings_of(e, t)).luminance_nit(0.5f * PI, 0.0f)));
