@@ -184,13 +184,13 @@ TEST(AreaLight, LineAndFrustumAndSunGiveWhatTheyState) {
     scene::Light line = shape(scene::LightType::line);
     line.half_width_m = 0.01f;
     line.position = {0, 0, 1.5f};
+    line.direction = {0, 0, -1};
     line.right = {1, 0, 0};
     const float expected_nit = kNit / 2.25f * 0.5f / kPi;
     EXPECT_NEAR(plane_nit(line), expected_nit, 2e-3f * expected_nit);
 
     scene::Light frustum = line;
     frustum.type = scene::LightType::frustum;
-    frustum.direction = {0, 0, -1};
     frustum.horizontal_angle_rad = frustum.vertical_angle_rad = 0.2f;
     EXPECT_NEAR(plane_nit(frustum), expected_nit, 2e-3f * expected_nit);
     frustum.position.x = 0.3f;

@@ -25,6 +25,8 @@ const uint kSearchTaps = 3u;
 const uint kFilterTaps = 8u;
 // Gradients that are wider than that many pixels are smooth within a square.
 const float kSmooth_px = 8.0;
+// How far along the way blockers are looked for where the search told nothing: near, for that is what it misses.
+const float kNearWay = 0.1;
 
 ivec2 pixel_of(ivec2 corner, uint i) { return min(corner + ivec2(i & 1u, i >> 1u), frame.size.xy - 1); }
 
@@ -123,9 +125,11 @@ uint soft_square(ivec2 corner) {
         ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
         search_square(record, r, i, turn, shift, found);
     }
-    if (found.x == 0.0) return found.z > 0.0 ? 0xffffffffu : 0u;
+    if (found.z == 0.0) return 0u;
+    // Where some pixels face away, as at the inner edge of a room, the others had few lookups.
+    if (found.x == 0.0 && found.z == float(4u * kSearchTaps)) return 0xffffffffu;
     bool partly = found.x < float(4u * kSearchTaps);
-    float way = found.y / found.x;
+    float way = found.x > 0.0 ? found.y / found.x : kNearWay;
     uint bytes = 0u;
     vec3 first_point;
     vec3 first_normal;
