@@ -22,7 +22,8 @@ FN vec3 specular_dominant_direction_fit(vec3 n, vec3 mirror, float NoV, float al
 }
 
 // Where the retro-reflective Disney diffuse lobe leans, for reading irradiance. Lagarde & de Rousiers 2014, section 4.9.3,
-// listing 23. Not normalised.
+// listing 23; by its naming the listing's roughness is alpha, but its numbers fit the lobe's peak for perceptual roughness. Not
+// normalised.
 FN vec3 diffuse_dominant_direction(vec3 n, vec3 v, float NoV, float perceptual_roughness) {
     float slope = 1.02341f * perceptual_roughness - 1.51174f;
     float offset = 0.755868f - 0.511705f * perceptual_roughness;

@@ -23,6 +23,21 @@ FN vec3 octahedral_decode(vec2 e) {
     return normalize(vec3(e.x - (e.x >= 0.0f ? fold : -fold), e.y - (e.y >= 0.0f ? fold : -fold), z));
 }
 
+// A point a little outside of the square [-1,1]^2, brought to where the sphere goes on across that edge.
+FN vec2 octahedral_unfolded(vec2 e) {
+    float x = e.x;
+    float y = e.y;
+    if (abs(x) > 1.0f) {
+        x = (x > 0.0f ? 2.0f : -2.0f) - x;
+        y = -y;
+    }
+    if (abs(y) > 1.0f) {
+        y = (y > 0.0f ? 2.0f : -2.0f) - y;
+        x = -x;
+    }
+    return vec2(x, y);
+}
+
 CANDELA_SHADING_END
 
 #endif

@@ -75,7 +75,7 @@ LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& opti
     if (volumes.empty() || (!options.refresh && !volumes.front().probes.empty())) return report;
     const auto start = Clock::now();
     const std::uint64_t key = scene_fingerprint(
-        job.scene, "irradiance 1 " + realtime::describe(job.profile) + " " + std::to_string(options.samples));
+        job.scene, "irradiance 2 " + realtime::describe(job.profile) + " " + std::to_string(options.samples));
     report.file = cache_file(key, "irradiance");
     report.cached = !options.refresh && io::decode_irradiance(read_cache(report.file), key, volumes);
     if (!report.cached) {

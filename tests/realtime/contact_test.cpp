@@ -82,7 +82,11 @@ struct Agreement {
     double wrong = 0.0;
     double dark = 0.0;  ///< share of the pixels that the truth sees in shadow
 };
-Agreement agreement(const scene::Light& light, std::uint32_t samples) {
+struct How {
+    std::uint32_t atlas_texels = 4096;
+    realtime::ContactShadowTechnique contact = realtime::ContactShadowTechnique::none;
+};
+Agreement agreement(const scene::Light& light, std::uint32_t samples, const How& how = {}) {
     static const gpu::Device device{validated()};
     scene::Scene s = contact_scene();
     s.lights = {light};
@@ -91,7 +95,9 @@ Agreement agreement(const scene::Light& light, std::uint32_t samples) {
         // The lights' cheapest estimates, so that little is compiled, with the best shadows.
         realtime::RendererOptions o = options("ue4", kSize, light.type == LightType::sphere ? 8 : 1);
         o.profile.shadow_filter = realtime::ShadowFilterTechnique::pcss;
+        o.profile.contact_shadows = how.contact;
         o.shadows.maps = shadows;
+        o.shadows.atlas_texels = how.atlas_texels;
         realtime::Renderer renderer(device, s, o);
         frame[shadows ? 1 : 0] = reds(renderer.render_still(from_above(), fixed_ev(8.0f)));
     }
@@ -150,4 +156,20 @@ TEST(Contact, ASphereSeesWhatRaysSee) {
     EXPECT_GT(a.dark, 0.01);
     EXPECT_LT(a.mean, 0.012);
     EXPECT_LT(a.wrong, 0.002);
+}
+
+// A map of few texels misses the last centimetres, which the march over the picture finds; and it takes
+// nothing from what is lit.
+TEST(Contact, AMarchFindsWhatACoarseMapMisses) {
+    for (const bool low_sun : {false, true}) {
+        const scene::Light light =
+            low_sun ? light_at(LightType::directional, {3.0f, 0.64f, 0.4f}, glm::vec3(0.0f), 1000.0f)
+                    : light_at(LightType::point, {-1.0f, 1.5f, 0.3f}, glm::vec3(0.0f), 1000.0f);
+        const Agreement map = agreement(light, 1, {256});
+        const Agreement both = agreement(light, 1, {256, realtime::ContactShadowTechnique::screen_march});
+        EXPECT_LT(both.mean, 0.8 * map.mean) << low_sun << ' ' << map.mean << " to " << both.mean;
+        EXPECT_LT(both.wrong, map.wrong) << low_sun << ' ' << map.wrong << " to " << both.wrong;
+        const Agreement fine = agreement(light, 1, {4096, realtime::ContactShadowTechnique::screen_march});
+        EXPECT_LT(fine.mean, 0.006) << low_sun;
+    }
 }

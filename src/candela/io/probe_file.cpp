@@ -5,6 +5,8 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "shading/probes/volume.glsl"
+
 namespace candela::io {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr std::uint32_t kIrradianceMagic = 0x56524943;  // "CIRV"
 constexpr std::uint32_t kCaptureMagic = 0x42525043;     // "CPRB"
 constexpr float kLargestHalf = 60000.0f;
 constexpr std::uint32_t kLargestMap = 4096;
+constexpr auto kDistanceTexels = static_cast<std::uint32_t>(shading::kDistanceSize * shading::kDistanceSize);
 
 class Writer {
   public:
@@ -99,7 +102,7 @@ bool read_volume(Reader& in, scene::IrradianceVolume& v) {
             for (int channel = 0; channel < 3; ++channel) c[channel] = in.half() * unit;
         }
         const auto distances = in.raw<std::uint32_t>();
-        if (!in.good() || distances > 65536) return false;
+        if (!in.good() || distances != kDistanceTexels) return false;
         probe.distances.resize(distances);
         for (glm::vec2& d : probe.distances) {
             d.x = in.half();
@@ -129,7 +132,7 @@ bool read_capture(Reader& in, scene::ProbeCapture& c) {
     c.size = in.raw<std::uint32_t>();
     const auto levels = in.raw<std::uint32_t>();
     const float unit = in.raw<float>();
-    if (!in.good() || c.size == 0 || c.size > kLargestMap || levels == 0 || levels > 12) return false;
+    if (!in.good() || c.size == 0 || c.size > kLargestMap || levels < 2 || levels > 12) return false;
     for (glm::vec4& h : c.irradiance_sh) h = in.raw<glm::vec4>();
     c.levels.resize(levels);
     for (std::uint32_t level = 0; level < levels; ++level) {
@@ -180,6 +183,10 @@ bool decode_captures(const std::string& bytes, std::uint64_t key,
     if (!read_head(in, kCaptureMagic, key, probes.size())) return false;
     for (auto& p : read) {
         if (!read_capture(in, p.capture)) return false;
+        // The frame puts them into one atlas of equal tiles.
+        if (p.capture.size != read.front().capture.size ||
+            p.capture.levels.size() != read.front().capture.levels.size())
+            return false;
     }
     if (!in.ended()) return false;
     probes = std::move(read);

@@ -77,6 +77,7 @@ struct FrameResources {
     std::uint32_t height = 0;
     std::uint32_t tiles_x = 0;
     std::uint32_t tiles_y = 0;
+    std::size_t most_storage_bytes = std::size_t{128} << 20u;  ///< that a binding may have
     Profile profile;
     std::optional<Strategy> integrate;  ///< the integrals themselves instead of the profile's techniques
     bool write_aovs = false;

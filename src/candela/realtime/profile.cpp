@@ -40,7 +40,8 @@ std::vector<Slot> slots() {
                   "most-representative-point-drobot", "light-position", "five-times"}),
             slot("area-specular", &Profile::area_specular,
                  {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
-            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"})};
+            slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
+            slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-march"})};
 }
 
 template <class Names>

@@ -42,6 +42,7 @@ enum class AreaSpecularTechnique : std::uint8_t {
     specular_d_widening
 };
 enum class ShadowFilterTechnique : std::uint8_t { pcss, pcf };
+enum class ContactShadowTechnique : std::uint8_t { none, screen_march };
 
 struct Profile {
     std::string name;
@@ -56,6 +57,7 @@ struct Profile {
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;
     ShadowFilterTechnique shadow_filter = ShadowFilterTechnique::pcss;
+    ContactShadowTechnique contact_shadows = ContactShadowTechnique::none;
 };
 
 /// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.

@@ -30,6 +30,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.height = options.height;
     frame.tiles_x = groups(options.width, kTileSize);
     frame.tiles_y = groups(options.height, kTileSize);
+    frame.most_storage_bytes = device.limits().maxStorageBufferRange;
     frame.profile = options.integrate ? integrand(options.profile) : options.profile;
     if (options.integrate) frame.integrate = options.integrate->strategy;
     frame.write_aovs = options.aovs;

@@ -75,15 +75,18 @@ ShadowVisibilityPass::ShadowVisibilityPass(const gpu::Device& device, const Fram
         const gpu::LayoutDesc layout{{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                        sampled, sampled, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}},
                                      sizeof(Area)};
-        pipelines_.emplace(variant,
-                           gpu::create_compute_pipeline(device, shaders::shadow_visibility_comp, layout,
-                                                        {static_cast<std::uint32_t>(variant.first),
-                                                         static_cast<std::uint32_t>(variant.second)}));
+        pipelines_.emplace(variant, gpu::create_compute_pipeline(
+                                        device, shaders::shadow_visibility_comp, layout,
+                                        {static_cast<std::uint32_t>(variant.first),
+                                         static_cast<std::uint32_t>(variant.second),
+                                         static_cast<std::uint32_t>(frame.profile.contact_shadows)}));
     }
 }
 
 std::size_t ShadowVisibilityPass::most_lights(const FrameResources& frame) {
-    return std::max(kMostBytes / (kBytesPerTile * frame.tile_count()), kLeastLights);
+    const std::size_t light_bytes = kBytesPerTile * frame.tile_count();
+    const std::size_t wanted = std::max(kMostBytes / light_bytes, kLeastLights);
+    return std::min(wanted, frame.most_storage_bytes / light_bytes);
 }
 
 void ShadowVisibilityPass::reserve(const gpu::Device& device, FrameResources& frame, std::size_t lights) {

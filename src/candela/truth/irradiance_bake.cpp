@@ -163,10 +163,9 @@ void IrradianceBake::measure_distances(const glm::vec3& position, float farthest
                     (glm::vec2(i % kDistanceRays, i / kDistanceRays) + 0.5f) / float(kDistanceRays);
                 const glm::vec2 at = glm::vec2(x, y) + 0.5f + kDistanceWidth * (part - 0.5f);
                 // Across the octahedron's edges the texel goes on where the fold says.
-                const glm::vec2 encoded = at / float(size) * 2.0f - 1.0f;
-                const glm::vec2 clamped = glm::clamp(encoded, -1.0f, 1.0f);
+                const glm::vec2 folded = shading::octahedral_unfolded(at / float(size) * 2.0f - 1.0f);
                 Hit hit;
-                const Ray ray{position, shading::octahedral_decode(clamped), farthest_m};
+                const Ray ray{position, shading::octahedral_decode(folded), farthest_m};
                 const double d = double(integrator_.geometry().intersect(ray, hit) ? hit.t : farthest_m);
                 sum += d;
                 squares += d * d;

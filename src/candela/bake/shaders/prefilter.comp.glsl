@@ -21,11 +21,7 @@ layout(push_constant) uniform Push {
 
 // Direction of a texel; a gutter is the interior texel across the fold (OctahedralMap).
 vec3 texel_direction(ivec2 texel) {
-    vec2 e = (vec2(texel) - 0.5) / float(size - 2) * 2.0 - 1.0;
-    bool beyond_x = abs(e.x) > 1.0;
-    bool beyond_y = abs(e.y) > 1.0;
-    if (beyond_x) e = vec2(sign(e.x) * 2.0 - e.x, -e.y);
-    if (beyond_y) e = vec2(-e.x, sign(e.y) * 2.0 - e.y);
+    vec2 e = octahedral_unfolded((vec2(texel) - 0.5) / float(size - 2) * 2.0 - 1.0);
     return octahedral_decode(e);
 }
 

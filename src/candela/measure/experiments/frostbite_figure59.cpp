@@ -151,7 +151,8 @@ Findings run() {
         "Fd_DisneyRenormalized integrated over six lights, n.v 0.1 to 0.9, roughness 0.2 to 1";
     out.techniques = {
         {"irradiance at the normal, Disney's diffuse", "Frostbite section 4.9.2",
-         "diffuse light of the surroundings", range, "%", diffuse.normal, diffuse.normal, [] { return 0.0; }},
+         "diffuse light of the surroundings", range, "%", diffuse.normal, diffuse.normal,
+         [] { return cost_ns([](const vec4& u) { return u.x; }); }},
         {"diffuse_dominant_direction", "Frostbite section 4.9.3, listing 23",
          "diffuse light of the surroundings", range, "%", diffuse.dominant, diffuse.dominant, [] {
              return cost_ns([](const vec4& u) {

@@ -145,7 +145,7 @@ Layer sheen() {
                         [](const ImageLight& light, const ReceiverFrame& f, float, const vec2&) {
                             return light.irradiance_over_pi(f.n);
                         },
-                        [] { return 0.0; }});
+                        [] { return cost_ns([](const vec4& u) { return u.x; }); }});
     out.ways.push_back({"sheen_read", "own fit, shading/layer_reflection.glsl",
                         [](const ImageLight& light, const ReceiverFrame& f, float NoV, const vec2& s) {
                             return prefiltered(light, sheen_read(f.n, f.v, NoV, s.x));

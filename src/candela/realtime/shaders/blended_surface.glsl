@@ -11,6 +11,13 @@ void main() {
     vec3 emissive_nit;
     float facing = has(kDoubleSided) && !gl_FrontFacing ? -1.0 : 1.0;
     GBuffer g = evaluate_material(base_alpha, facing, emissive_nit);
+#ifdef CANDELA_LOCAL_LIGHT_GLSL
+    // A probe sees no emission: the frame lights with it and reflects it by itself.
+    if (kCapturesProbe) {
+        emissive_nit = vec3(0.0);
+        if (has(kUnlit)) base_alpha.rgb = vec3(0.0);
+    }
+#endif
     if (has(kUnlit)) {
         out_light = vec4(base_alpha.rgb * base_alpha.a, base_alpha.a);
         return;

@@ -156,11 +156,14 @@ vec4 volume_irradiance(uint record, vec3 position, vec3 n, vec3 v, vec3 directio
         uint quad = places.x + 4u * probe;
         vec3 probe_at = (vec3(cell) + 0.5) * spacing - size_fade.xyz;
         vec3 w3 = max(mix(1.0 - f, f, vec3(step)), vec3(1.0e-3));
-        vec3 way = seen_at - probe_at;
+        // On a probe there is no direction: any will do.
+        vec3 way = seen_at - probe_at + vec3(0.0, 0.0, 1.0e-6);
+        vec3 to_probe = probe_at - local;
+        to_probe *= inversesqrt(max(dot(to_probe, to_probe), 1.0e-12));
         float way_m = max(length(way), 1.0e-6);
         vec2 distances = probe_distances(places.y + uint(kDistanceSize * kDistanceSize) * probe, from_local(record, way));
         float visible = distance_visibility(distances.x, distances.y, way_m, 0.02 * least);
-        float w = probe_weight(facing_weight(local_n, normalize(probe_at - local)), visible) * w3.x * w3.y * w3.z;
+        float w = probe_weight(facing_weight(local_n, to_probe), visible) * w3.x * w3.y * w3.z;
         w *= unpackHalf2x16(local_quads[quad + 3u].w).x;  // not inside of something
         sum += probe_irradiance(quad, basis) * w;
         weights += w;
@@ -192,11 +195,16 @@ vec3 local_specular(vec3 position, vec3 n, vec3 v, vec3 dominant, float perceptu
     ProbeSum sum = empty_probe_sum();
     if ((kLocalLight & kLocalProbes) != 0u) sum = probes_specular(position, dominant, perceptual_roughness, reach);
     if ((kLocalLight & kLocalVolumes) != 0u && reach < 0.999) {
+        // The smallest volume first, as for diffuse light.
         uint record = local_quads[0].w;
-        for (uint i = 0u; i < local_quads[0].z; ++i, record += kVolumeQuads) {
+        float rest = 1.0 - reach;
+        vec3 smooth_nit = vec3(0.0);
+        for (uint i = 0u; i < local_quads[0].z && rest > 0.001; ++i, record += kVolumeQuads) {
             vec4 light = volume_irradiance(record, position, n, v, dominant);
-            distant = mix(distant, light.rgb, light.w * (1.0 - reach));
+            smooth_nit += light.rgb * (light.w * rest);
+            rest *= 1.0 - light.w;
         }
+        distant = smooth_nit + distant * (reach + rest);
     }
     return add_distant(sum, distant);
 }

@@ -155,7 +155,8 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     }
     if (!kShadeLayers) {
         vec3 weight = ibl_specular_weight(g.surface, techniques(), NoV, dfg);
-        if (kDfg == kDfgNonmetal && g.surface.metallic == 0.0) {
+        bool plain = all(lessThan(abs(g.surface.dielectric_f0 - 0.04), vec3(0.002)));  // Karis: what has the default specular
+        if (kDfg == kDfgNonmetal && g.surface.metallic == 0.0 && plain) {
             weight = vec3(env_brdf_approx_nonmetal(g.surface.perceptual_roughness, NoV));
         }
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
@@ -171,9 +172,14 @@ void add_environment(SurfacePoint p, inout Lit lit) {
         coat_radiance = local_specular(p.position, g.coat_normal, v, reflection_direction(g.coat_normal, v, coat_alpha),
                                        g.surface.coat_perceptual_roughness, coat_radiance);
     }
+    vec3 sheen = environment_sheen(p, irradiance_over_pi);
+    if (kLocalLight != 0u && kReflection >= kReflectionFitted && max_component(g.surface.sheen_color) > 0.0) {
+        LobeRead read = sheen_read(g.normal, v, NoV, g.surface.sheen_perceptual_roughness);
+        sheen = local_specular(p.position, g.normal, v, normalize(read.direction), read.perceptual_roughness, sheen);
+    }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
-                            w.sheen * environment_sheen(p, irradiance_over_pi) * g.occlusion;
+                            w.sheen * sheen * g.occlusion;
 }
 
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the

@@ -75,5 +75,6 @@ void main() {
     vec3 position = depth > 0.0 ? point_at(place, depth) : vec3(0.0);
     vec3 n = octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, pixel, 0).x));
     if (dot(n, view_direction(position)) < 0.0) n = -n;
-    imageStore(receiver_image, pixel, pack_receiver(position, facet_at(pixel, place, position, n)));
+    uvec4 receiver = depth > 0.0 ? pack_receiver(position, facet_at(pixel, place, position, n)) : kNoReceiver;
+    imageStore(receiver_image, pixel, receiver);
 }

@@ -9,6 +9,9 @@
 const float kRiseSteps = 16.0;
 const float kRiseOctaves = 14.0;
 
+// Where the camera sees no surface.
+const uvec4 kNoReceiver = uvec4(0u, 0u, 0u, 0xffffffffu);
+
 uvec4 pack_receiver(vec3 position_m, vec4 facet) {
     vec2 oct = octahedral_encode(facet.xyz) * 0.5 + 0.5;
     uvec2 normal = uvec2(clamp(oct, vec2(0.0), vec2(1.0)) * 4095.0 + 0.5);

@@ -7,6 +7,7 @@
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kKind = 0u;
 layout(constant_id = 1) const int kShape = 0;
+layout(constant_id = 2) const bool kContact = false;
 
 layout(set = 0, binding = 2) uniform sampler2D shadow_atlas;
 #include "shadow_lookup.glsl"
@@ -19,6 +20,8 @@ layout(push_constant) uniform Area {
     ivec4 tiles;  // x, y first; z, w one after the last
     int slot;
 } area;
+
+#include "contact_shadow.glsl"
 
 // Of each pixel of a square; what they find is for all four.
 const uint kSearchTaps = 3u;
@@ -47,6 +50,8 @@ ShadowRecord record_for(vec3 position_m, ivec2 pixel) {
     }
     return r;
 }
+
+bool is_receiver(ivec2 pixel) { return texelFetch(receiver_image, pixel, 0).w != kNoReceiver.w; }
 
 ShadowReceiver receiver_at(ivec2 pixel, out ShadowRecord record) {
     vec3 position_m;
@@ -102,43 +107,54 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
         if (!edge) p *= 0.5;
         if (dot(r.normal, r.to_light + p.x * e.x + p.y * e.y) < 0.0) p = -p;
         vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
-        found.z += dot(r.normal, to_point) > 0.0 ? 1.0 : 0.0;
+        bool above = dot(r.normal, to_point) > 0.0;
+        found.z += above ? 1.0 : 0.0;
         float depth = fract(float(4u * k + i) * kSpreadAlong + shift);
         // Distant lights: what is in the way is mostly near for how deep the scene is. Others: an edge is looked at best
         // from behind what hides it.
         float way = farthest * (kKind == kShadowCascades ? depth * depth : edge ? 0.25 + 0.75 * depth : depth);
         float share;
-        if (in_the_way(kKind, record, r, r.point + way * to_point, vec2(0.0), share)) {
+        if (in_the_way(kKind, record, r, r.point + way * to_point, vec2(0.0), share) && above) {
             found.xy += vec2(1.0, share);
         }
     }
 }
 
-// What no pixel of the square sees anything in the way of is lit, what all lookups found something in the way of is dark. Only
+// What no lookup found anything in the way of is lit, what all found something in the way of is dark; lookups at what is below the
+// horizon say neither. Only
 // the others are filtered: a device that masks what it does not need runs the loops' bodies once instead.
 uint soft_square(ivec2 corner) {
     vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
     float shift = shadow_noise(corner >> 1, 2u);
     vec3 found = vec3(0.0);
+    float lookups = 0.0;
     for (uint i = 0u; i < 4u; ++i) {
+        ivec2 pixel = pixel_of(corner, i);
         ShadowRecord record;
-        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
-        search_square(record, r, i, turn, shift, found);
+        ShadowReceiver r = receiver_at(pixel, record);
+        vec3 of_pixel = vec3(0.0);
+        search_square(record, r, i, turn, shift, of_pixel);
+        float counts = is_receiver(pixel) ? 1.0 : 0.0;
+        found += of_pixel * counts;
+        lookups += counts * float(kSearchTaps);
     }
     if (found.z == 0.0) return 0u;
     // Where some pixels face away, as at the inner edge of a room, the others had few lookups.
-    if (found.x == 0.0 && found.z == float(4u * kSearchTaps)) return 0xffffffffu;
-    bool partly = found.x < float(4u * kSearchTaps);
+    if (found.x == 0.0 && found.z == lookups) return 0xffffffffu;
+    bool partly = found.x < lookups;
     float way = found.x > 0.0 ? found.y / found.x : kNearWay;
     uint bytes = 0u;
-    vec3 first_point;
-    vec3 first_normal;
-    vec3 last_point;
+    vec3 first_point = vec3(0.0);
+    vec3 first_normal = vec3(0.0);
+    vec3 last_point = vec3(0.0);
+    bool whole = true;
     for (uint i = 0u; i < (partly ? 4u : 0u); ++i) {
+        ivec2 pixel = pixel_of(corner, i);
         ShadowRecord record;
-        ShadowReceiver r = receiver_at(pixel_of(corner, i), record);
+        ShadowReceiver r = receiver_at(pixel, record);
         float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn.yx);
         bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
+        whole = whole && is_receiver(pixel);
         if (i == 0u) {
             first_point = r.point;
             first_normal = r.normal;
@@ -147,8 +163,27 @@ uint soft_square(ivec2 corner) {
     }
     vec4 own = unpackUnorm4x8(bytes);
     float mean = 0.25 * (own.x + own.y + own.z + own.w);
-    float share = smoothness(first_point, first_normal, last_point, penumbra_width_m(way));
+    float share = whole ? smoothness(first_point, first_normal, last_point, penumbra_width_m(way)) : 0.0;
     return packUnorm4x8(mix(own, vec4(mean), partly ? share : 0.0));
+}
+
+// What the last centimetres leave of what the map has found, for the four pixels of a square.
+uint with_contact(ivec2 corner, uint bytes) {
+    vec4 visibility = unpackUnorm4x8(bytes);
+    uint out_bytes = 0u;
+    for (uint i = 0u; i < 4u; ++i) {
+        ivec2 pixel = pixel_of(corner, i);
+        ShadowRecord record;
+        ShadowReceiver r = receiver_at(pixel, record);
+        vec3 position_m;
+        vec4 facet;
+        unpack_receiver(texelFetch(receiver_image, pixel, 0), position_m, facet);
+        vec2 point = sqrt(shadow_noise(pixel, 5u)) * turned(shadow_noise(pixel, 4u));
+        float left = contact_visibility(record, r, position_m, facet, point, shadow_noise(pixel, 6u));
+        out_bytes |= in_byte(visibility.x * (behind_light(record, r) ? 1.0 : left), i);
+        visibility = visibility.yzwx;
+    }
+    return out_bytes;
 }
 
 void main() {
@@ -158,5 +193,6 @@ void main() {
     int quad = int(gl_LocalInvocationIndex & 15u);
     ivec2 corner = tile * 8 + 2 * ivec2(quad & 3, quad >> 2);
     uint bytes = kShape == kShapePoint ? point_square(corner) : soft_square(corner);
+    if (kContact && bytes != 0u) bytes = with_contact(corner, bytes);
     visibilities[(area.slot * frame.tiles.z + tile.y * frame.tiles.x + tile.x) * 16 + quad] = bytes;
 }

@@ -16,7 +16,7 @@ layout(constant_id = 20) const int kShadowFilter = 0;
 #include "blended_shadows.glsl"
 #else
 
-// One byte a pixel, light and tile (C++: VisibilityPass).
+// One byte a pixel and light, tile by tile (C++: ShadowVisibilityPass).
 layout(set = 0, binding = 12, std430) readonly buffer Visibilities { uint visibilities[]; };
 
 // Share of the light's illuminance that arrives.
