@@ -14,7 +14,8 @@ std::vector<scene::IrradianceVolume> volumes() {
         probe.valid = &probe == v.probes.data();
         for (std::size_t k = 0; k < 9; ++k)
             probe.irradiance_sh[k] = glm::vec3(0.5f * float(k) - 1.0f, 1e5f, 0.25f);
-        probe.distances = {{1.0f, 1.25f}, {2.0f, 4.0f}};
+        probe.distances.assign(256, {2.0f, 4.0f});
+        probe.distances[0] = {1.0f, 1.25f};
     }
     return {v};
 }

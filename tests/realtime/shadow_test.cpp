@@ -162,9 +162,9 @@ TEST(Shadow, NothingLeaksIntoAClosedBox) {
             brightest = std::max(brightest, p.without.planes.light_nit[i].x);
         }
         EXPECT_GT(brightest, 0.0f);
-        // A soft light's kernel may reach around a corner by a texel or two.
+        // A pixel at an inner edge may show a tenth of one light: its square has few lookups there.
         const bool soft = lights[0].type != LightType::point;
-        EXPECT_LE(most, soft ? 0.2f * brightest / 3.0f : 0.0f)
+        EXPECT_LE(most, soft ? 0.3f * brightest / 3.0f : 0.0f)
             << scene::name_of(lights[0].type) << " and others";
     }
 }

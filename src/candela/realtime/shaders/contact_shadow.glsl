@@ -1,7 +1,7 @@
 // Contact shadows: the last centimetres between a surface and what stands on it, which a map's texels are too coarse for, found
 // by a short march over what the camera sees. Includers have shadow_lookup.glsl, kShape and receiver_at()'s image.
 //
-// What the camera sees hides the way behind it for as deep as the march is long. It must stand above the receiver's own plane,
+// What the camera sees hides the way behind it for half as deep as the march is long. It must stand above the receiver's own plane,
 // as in the map, so that no surface shadows itself.
 #ifndef CANDELA_CONTACT_SHADOW_GLSL
 #define CANDELA_CONTACT_SHADOW_GLSL
@@ -9,9 +9,11 @@
 const int kContactSteps = 8;
 // The march is so many texels of the map long where they are small, and never longer than that.
 const float kContactTexels = 4.0;
-const float kContactMost_m = 0.2;
+const float kContactMost_m = 0.05;
 // Its last part fades, so that no shadow ends with an edge.
 const float kContactFade = 0.7;
+// How deep what the camera sees is taken to be, as a share of the length of the march.
+const float kContactThickness = 0.5;
 
 float depth_m(vec3 position_m) { return dot(frame.camera_position.xyz - position_m, frame.camera_backward.xyz); }
 
@@ -37,7 +39,7 @@ float contact_visibility(ShadowRecord record, ShadowReceiver r, vec3 position_m,
         float distance_m = length(way);
         float tolerance_m = kPlaneLeast_m + kPlaneSlope * distance_m + min(facet.w, kBulgeSlope * distance_m);
         float behind_m = depth_m(position_m + t * reach_m * l) - depth_m(seen_m);
-        bool hit = inside && texel.w != kNoReceiver.w && behind_m > 0.0 && behind_m < reach_m && dot(way, l) > 0.0 && dot(way, facet.xyz) > tolerance_m;
+        bool hit = inside && texel.w != kNoReceiver.w && behind_m > 0.0 && behind_m < kContactThickness * reach_m && dot(way, l) > 0.0 && dot(way, facet.xyz) > tolerance_m;
         nearest = hit ? min(nearest, t) : nearest;
     }
     return smoothstep(kContactFade, 1.0, nearest);

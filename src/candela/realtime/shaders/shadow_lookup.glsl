@@ -35,11 +35,15 @@ const int kRecordsPerLight = 4;
 
 // Heights above the receiver's plane that are taken for the plane itself, as a share of the distance and in texels: what
 // float depth and curved surfaces make of a plane.
-const float kPlaneSlope = 0.01;
+const float kPlaneSlope = 0.002;
 const float kPlaneTexels = 0.05;
 const float kPlaneLeast_m = 1e-4;
 // Facets of a smooth surface do not rise more steeply than this.
 const float kBulgeSlope = 0.3;
+// A distant light at this cosine and below has a disc that the surface's own horizon cuts: what hides the rest of it stands above
+// the plane by less than a texel. There the receiver is lifted off its surface by some texels instead.
+const float kGrazingCosine = 0.03;
+const float kGrazingTexels = 2.0;
 // Nothing is as far as that; its square is a float.
 const float kNoDepth = 1e-12;
 
@@ -51,6 +55,7 @@ struct ShadowReceiver {
     vec3 progress;     // its product with a way is the share of to_light that the way has covered
     float slack;       // m
     float bulge;       // m that facets of the same smooth surface may rise
+    float grazing_m;   // of a distant light along the surface: what is so far in the way hides it, wherever it stands; else 0
 };
 // What shines: from its middle to its edges.
 struct ShadowExtent {
@@ -84,7 +89,10 @@ ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, 
         r.to_light = vec3(0.0, 0.0, -1.0);
         r.progress = vec3(0.0, 0.0, -1.0);
         r.slack = record.numbers.w;
+        r.grazing_m = abs(r.normal.z) < kGrazingCosine ? kGrazingTexels * record.numbers.w : 0.0;
+        r.point += r.normal * r.grazing_m;
     } else {
+        r.grazing_m = 0.0;
         r.to_light = vec3(0.0, 0.0, record.numbers.y) - r.point;
         // Blockers are sorted by planes across the pyramid, or across the way to the light.
         r.progress = kind == kShadowCube ? r.to_light / max(dot(r.to_light, r.to_light), 1e-12)
@@ -171,7 +179,8 @@ bool in_the_way(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at
     // Seen from a cube's centre, towards the end of a long tube, what is farther than the receiver is across is not on the
     // way to it.
     bool beyond = kind == kShadowCube && dot(surface, way) > 0.0;
-    return share > 0.0 && height > tolerance_m && !beyond;
+    bool before = receiver.grazing_m > 0.0 && share > receiver.grazing_m;
+    return share > 0.0 && (height > tolerance_m || before) && !beyond;
 }
 
 // Points of the light in units of its extent, one after the other: of a Fibonacci spiral on round shapes, of a Fibonacci

@@ -10,6 +10,9 @@ layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
 layout(set = 0, binding = 2) uniform sampler2D depth_image;
 layout(set = 0, binding = 3, rgba32ui) writeonly uniform uimage2D receiver_image;
 
+// Between a facet and the smooth surface that it stands for, as a length between unit normals.
+const float kMostLean = 0.3;
+
 const ivec2 kRightwards = ivec2(1, 0);
 const ivec2 kDownwards = ivec2(0, 1);
 
@@ -55,6 +58,12 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     vec2 px = 2.0 / vec2(frame.size.xy);
     vec3 way_right = way_along(pixel, kRightwards, place, px.x * frame.clip_to_world[0], position, n, right);
     vec3 way_down = way_along(pixel, kDownwards, place, px.y * frame.clip_to_world[1], position, n, down);
+    // At a silhouette all neighbours are far away.
+    float ray_depth = -dot(pixel_ray(pixel), frame.camera_backward.xyz);
+    float depth_m = dot(frame.camera_position.xyz - position, frame.camera_backward.xyz);
+    float pixel_m = frame.camera_position.w > 0.5 ? length(frame.ray_dx.xyz) * depth_m / max(ray_depth, 1e-9) : 0.0;
+    float shorter_m = sqrt(min(dot(way_right, way_right), dot(way_down, way_down)));
+    if (pixel_m > 0.0 && shorter_m > 8.0 * pixel_m) return vec4(n, 0.0);
     vec3 across = cross(way_right, way_down);
     float area2 = dot(across, across);
     if (!(area2 > 0.0)) return vec4(n, 0.0);
@@ -62,6 +71,9 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     if (dot(across, n) < 0.7) return vec4(n, 0.0);
     float lean = distance(across, n);
     if (lean < 0.01) return vec4(across, 0.0);
+    // At a silhouette the neighbours tell little of the facet.
+    if (lean > kMostLean && dot(n, v) < 0.35) across = n;
+    lean = min(lean, kMostLean);
     float bend = max(curvature(right, way_right, n), curvature(down, way_down, n));
     return vec4(across, 3.0 * lean * lean / max(bend, 1e-3));
 }
