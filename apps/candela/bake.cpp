@@ -16,6 +16,7 @@
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "shading/lights/ltc.glsl"
+#include "sky_option.hpp"
 
 namespace candela::app {
 namespace {
@@ -94,10 +95,12 @@ int bake(const BakeOptions& options) {
     if (options.what == "dfg")
         return bake_dfg_table(options.output, options.visibility, options.dfg_size, options.json);
     const bool template_name = options.what.find('{') != std::string::npos;
-    if (options.what != "studio" && !template_name && !std::filesystem::exists(options.what))
+    const bool made = options.what == "studio" || sky_of_option(options.what);
+    if (!made && !template_name && !std::filesystem::exists(options.what))
         throw input_error("there is no table and no environment '" + options.what + "' to bake",
                           "candela bake",
-                          "candela bake ltc, candela bake lobes, candela bake dfg or candela bake ENV.exr");
+                          "candela bake ltc, candela bake lobes, candela bake dfg, or candela bake ENV.exr, "
+                          "studio or sky:KEY=VALUE,...");
     BakeEnvironmentOptions environment = options.environment;
     environment.environment = options.what;
     environment.folder = options.output.empty() ? "environment" : options.output;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "candela/bake/environment.hpp"
 #include "candela/bake/filter_environment.hpp"
 #include "candela/io/environment_write.hpp"
 #include "candela/scene/error.hpp"
@@ -15,10 +14,7 @@ namespace candela::app {
 namespace {
 
 scene::Environment read(const BakeEnvironmentOptions& options, Diagnostics& diagnostics) {
-    scene::Environment e =
-        options.environment == "studio"
-            ? bake::studio_environment()
-            : io::read_environment(options.environment, diagnostics, environment_options(options.how));
+    scene::Environment e = environment_picture(options.environment, options.how, diagnostics);
     e.scale = options.scale;
     e.rotation_rad = options.rotate_deg * static_cast<float>(M_PI / 180.0);
     return e;

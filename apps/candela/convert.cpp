@@ -30,6 +30,8 @@ void warn_of_the_stage(const io::Stage& stage, Diagnostics& diagnostics) {
     if (stage.environment && !stage.environment->none)
         diagnostics.warn("glTF cannot carry the stage's environment");
     if (!stage.exposure.automatic()) diagnostics.warn("glTF cannot carry the stage's exposure");
+    if (!stage.probes.reflection.empty() || !stage.probes.irradiance.empty())
+        diagnostics.warn("glTF cannot carry the stage's probes");
     if (stage.camera.look_from) diagnostics.warn("the stage's camera is not written");
 }
 

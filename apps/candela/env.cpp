@@ -43,7 +43,7 @@ Environment read(const EnvOptions& options, Diagnostics& diagnostics) {
         throw Error(Fault::usage, "out of range", "--env-scale", "above 0, to 1e+12");
     if (options.lux && !(*options.lux >= 1e-9f && *options.lux <= 1e12f))
         throw Error(Fault::usage, "out of range", "--env-lux", "1e-09 to 1e+12");
-    Environment e = io::read_environment(options.file, diagnostics, environment_options(options.how));
+    Environment e = environment_picture(options.file, options.how, diagnostics);
     e.scale = options.scale;
     if (!options.lux) return e;
     e.scale = 1.0f;
@@ -194,8 +194,10 @@ double mean_luminance(const Environment& e, const std::vector<std::uint32_t>& ca
 int calibrate(const EnvOptions& options) {
     if (!(options.value_nit > 0.0f && options.value_nit <= 1e12f))
         throw Error(Fault::usage, "out of range", "--value", "cd/m2, above 0, to 1e+12");
+    if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".exr")
+        throw Error(Fault::usage, "not a name of an EXR file: " + options.output, "-o", "FILE.exr");
     Diagnostics diagnostics;
-    Environment e = io::read_environment(options.file, diagnostics, environment_options(options.how));
+    Environment e = environment_picture(options.file, options.how, diagnostics);
     const double mean = mean_luminance(e, options.card);
     if (!(mean > 0.0)) throw input_error("the grey card is black", e.name);
     const double factor = double{options.value_nit} / mean;

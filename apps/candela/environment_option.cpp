@@ -1,6 +1,25 @@
 #include "environment_option.hpp"
 
+#include <algorithm>
+
+#include "candela/bake/environment.hpp"
+#include "candela/bake/sky.hpp"
+#include "shading/environment.glsl"
+#include "sky_option.hpp"
+
 namespace candela::app {
+namespace {
+
+/// The light of a sun goes into the texel that holds its middle.
+void put_into(scene::Environment& e, const scene::Light& sun) {
+    const glm::vec2 uv = shading::equirect_uv(-sun.direction);
+    const auto x = std::min(static_cast<std::uint32_t>(uv.x * static_cast<float>(e.width)), e.width - 1);
+    const auto y = std::min(static_cast<std::uint32_t>(uv.y * static_cast<float>(e.height)), e.height - 1);
+    e.luminance_nit[std::size_t{y} * e.width + x] +=
+        sun.color * sun.intensity / shading::equirect_texel_solid_angle(y, e.width, e.height);
+}
+
+}  // namespace
 
 void add_environment_file_options(CLI::App& command, EnvironmentFileOptions& o) {
     command
@@ -19,6 +38,16 @@ io::EnvironmentOptions environment_options(const EnvironmentFileOptions& o) {
     out.layout = io::layout_by_name(o.layout).value_or(io::EnvironmentLayout::automatic);
     out.cube_space = io::cube_space_by_name(o.cube_space);
     return out;
+}
+
+scene::Environment environment_picture(const std::string& name, const EnvironmentFileOptions& options,
+                                       Diagnostics& diagnostics) {
+    if (name == "studio") return bake::studio_environment();
+    const std::optional<scene::SkySettings> settings = sky_of_option(name);
+    if (!settings) return io::read_environment(name, diagnostics, environment_options(options));
+    bake::Sky sky = bake::sky_of(*settings);
+    if (sky.sun) put_into(sky.environment, *sky.sun);
+    return std::move(sky.environment);
 }
 
 }  // namespace candela::app

@@ -17,4 +17,10 @@ void add_environment_file_options(CLI::App& command, EnvironmentFileOptions& opt
 
 [[nodiscard]] io::EnvironmentOptions environment_options(const EnvironmentFileOptions& options);
 
+/// What an environment's name on a command line stands for, as one picture: a file, "studio", or "sky" with
+/// its settings, whose sun is then a texel of the picture.
+[[nodiscard]] scene::Environment environment_picture(const std::string& name,
+                                                     const EnvironmentFileOptions& options,
+                                                     Diagnostics& diagnostics);
+
 }  // namespace candela::app

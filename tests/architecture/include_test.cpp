@@ -19,10 +19,10 @@ const std::map<std::string, std::set<std::string>> kArrows{
     {"scene", {}},
     {"io", {"scene"}},
     {"gpu", {"scene"}},
-    {"bake", {"gpu", "io", "scene"}},
+    {"bake", {"gpu", "scene"}},
     {"realtime", {"bake", "gpu", "scene"}},
     {"truth", {"bake", "gpu", "io", "scene"}},
-    {"measure", {"realtime", "truth", "exchange", "bake", "gpu", "io", "scene"}}};
+    {"measure", {"realtime", "truth", "bake", "gpu", "io", "scene"}}};
 
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::regex include(R"(^\s*#\s*include\s+["<]([^">]+)[">])");
