@@ -127,12 +127,8 @@ FN void ltc_outline_edge(INOUT(LtcOutline) o, LtcFrame frame, vec3 from, vec3 to
 // An arc that is known to be above the surface; begin, end: the points of its ends.
 FN void ltc_outline_cut_arc(INOUT(LtcOutline) o, OrientedCone c, vec2 from, vec2 to, vec3 begin, vec3 end) {
     RimPieces r = rim_above(c.cone, c.cone.normal, from, to, ltc_height(begin) >= 0.0f, ltc_height(end) >= 0.0f);
-    for (int i = 0; i < 2; ++i) {
-        if (r.has0) o.sr += elliptic_cone_arc(c.cone, r.from0, r.to0);
-        r.has0 = r.has1;
-        r.from0 = r.from1;
-        r.to0 = r.to1;
-    }
+    if (r.has0) o.sr += elliptic_cone_arc(c.cone, r.from0, r.to0);
+    if (r.has1) o.sr += elliptic_cone_arc(c.cone, r.from1, r.to1);
     if (r.leaves) o.leaves_cosine = oriented_cone_point(c, r.down);
     if (r.returns) o.returns_cosine = oriented_cone_point(c, r.up);
 }
@@ -145,16 +141,8 @@ FN void ltc_outline_arc(INOUT(LtcOutline) o, LtcFrame frame, OrientedCone c, vec
                             dot(frame.horizon, begin) >= 0.0f, ends_above);
     vec3 down = oriented_cone_point(c, r.down);
     vec3 up = oriented_cone_point(c, r.up);
-    vec3 piece_begin = begin;
-    vec3 piece_end = r.leaves ? down : end;
-    for (int i = 0; i < 2; ++i) {
-        if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0, piece_begin, piece_end);
-        r.has0 = r.has1;
-        r.from0 = r.from1;
-        r.to0 = r.to1;
-        piece_begin = up;
-        piece_end = ends_above ? end : down;
-    }
+    if (r.has0) ltc_outline_cut_arc(o, c, r.from0, r.to0, begin, r.leaves ? down : end);
+    if (r.has1) ltc_outline_cut_arc(o, c, r.from1, r.to1, up, ends_above ? end : down);
     if (r.leaves) o.leaves_surface = down;
     if (r.returns) o.returns_surface = up;
 }
@@ -169,21 +157,13 @@ FN float ltc_outline_end(LtcOutline outline, LtcFrame frame) {
     return saturate(frame.scale * (o.sr + contour_edge(kCosineNormal, leaves, returns)));
 }
 
-// A convex polygon of four corners in the frame, of which neighbours may be one: a loop, so that the edge's code is there once.
+// A convex polygon of four corners in the frame, of which neighbours may be one.
 FN float ltc_quad(LtcFrame frame, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
     LtcOutline o = ltc_outline_begin();
-    vec3 from = p0;
-    vec3 to = p1;
-    vec3 next = p2;
-    vec3 last = p3;
-    for (int i = 0; i < 4; ++i) {
-        ltc_outline_edge(o, frame, from, to);
-        vec3 first = from;
-        from = to;
-        to = next;
-        next = last;
-        last = first;
-    }
+    ltc_outline_edge(o, frame, p0, p1);
+    ltc_outline_edge(o, frame, p1, p2);
+    ltc_outline_edge(o, frame, p2, p3);
+    ltc_outline_edge(o, frame, p3, p0);
     return ltc_outline_end(o, frame);
 }
 
@@ -220,12 +200,8 @@ FN float ltc_cone(LtcFrame frame, OrientedCone c) {
     LtcOutline o = ltc_outline_begin();
     vec3 begin = oriented_cone_point(c, vec2(1.0f, 0.0f));
     vec3 end = oriented_cone_point(c, vec2(-1.0f, 0.0f));
-    for (int i = 0; i < 2; ++i) {
-        ltc_outline_arc(o, frame, c, begin, end);
-        vec3 turned = begin;
-        begin = end;
-        end = turned;
-    }
+    ltc_outline_arc(o, frame, c, begin, end);
+    ltc_outline_arc(o, frame, c, end, begin);
     return ltc_outline_end(o, frame);
 }
 

@@ -30,23 +30,18 @@ FN RectangleCorners rectangle_corners(vec3 to_center_m, vec3 right, vec3 up, flo
 }
 
 // A convex quadrilateral that turns counterclockwise as the receiver sees it, clipped at the receiver's horizon: exact. Neighbouring
-// corners may be one. A loop, so that the edge's code is there once.
+// corners may be one.
 FN float quad_projected_solid_angle(vec3 n, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
     vec3 leaves = vec3(0.0f);
     vec3 returns = vec3(0.0f);
-    vec3 from = p0;
-    vec3 to = p1;
-    vec3 next = p2;
-    vec3 last = p3;
-    float sum = 0.0f;
-    for (int i = 0; i < 4; ++i) {
-        sum += contour_edge_above(n, from, to, dot(n, from), dot(n, to), leaves, returns);
-        vec3 first = from;
-        from = to;
-        to = next;
-        next = last;
-        last = first;
-    }
+    float h0 = dot(n, p0);
+    float h1 = dot(n, p1);
+    float h2 = dot(n, p2);
+    float h3 = dot(n, p3);
+    float sum = contour_edge_above(n, p0, p1, h0, h1, leaves, returns);
+    sum += contour_edge_above(n, p1, p2, h1, h2, leaves, returns);
+    sum += contour_edge_above(n, p2, p3, h2, h3, leaves, returns);
+    sum += contour_edge_above(n, p3, p0, h3, h0, leaves, returns);
     return sum + contour_edge_on_horizon(n, leaves, returns);
 }
 
