@@ -9,14 +9,15 @@
 #include "candela/bake/octahedral_map.hpp"
 #include "candela/scene/environment_sources.hpp"
 #include "candela_shaders/prefilter_comp.hpp"
+#include "shading/microfacet.glsl"
+#include "shading/specular_levels.glsl"
 
 namespace candela::bake {
 namespace {
 
-// Of shaders/environment_maps.glsl.
-constexpr std::uint32_t kSpecularSize = 512;
-constexpr std::uint32_t kSpecularLevels = 6;
+/// Of shaders/environment_maps.glsl.
 constexpr std::uint32_t kIrradianceSize = 32;
+constexpr std::uint32_t kSpecularMips = (shading::kSpecularLevels + 1) / 2;
 /// Coarsest source level: 4 texels a side, of which 2 are gutters.
 constexpr std::uint32_t kSourceLevels = 8;
 /// Source level that irradiance is summed from: 62 texels a side.
@@ -31,6 +32,7 @@ struct PrefilterBlock {
     float alpha;
     float source_size;
     float source_levels;
+    std::int32_t left;
 };
 
 float peak_of(const scene::Environment& e) {
@@ -66,6 +68,25 @@ gpu::Image upload_levels(const gpu::Device& device, gpu::Commands& commands,
     return upload_levels(device, commands, maps.front().size, maps.front().size, levels);
 }
 
+/// Two levels side by side on each mip.
+gpu::Image upload_specular(const gpu::Device& device, gpu::Commands& commands,
+                           const std::vector<OctahedralMap>& maps) {
+    std::vector<std::vector<glm::vec4>> mips(kSpecularMips);
+    std::vector<std::span<const glm::vec4>> levels;
+    for (std::size_t mip = 0; mip < mips.size(); ++mip) {
+        const std::size_t size = maps[2 * mip].size;
+        mips[mip].resize(2 * size * size);
+        for (std::size_t half = 0; half < 2 && 2 * mip + half < maps.size(); ++half) {
+            const auto& texels = maps[2 * mip + half].texels;
+            for (std::size_t y = 0; y < size; ++y)
+                std::copy_n(texels.begin() + static_cast<std::ptrdiff_t>(y * size), size,
+                            mips[mip].begin() + static_cast<std::ptrdiff_t>((2 * y + half) * size));
+        }
+        levels.emplace_back(mips[mip]);
+    }
+    return upload_levels(device, commands, 2 * maps.front().size, maps.front().size, levels);
+}
+
 gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands, const scene::Environment& e,
                              float units_per_nit) {
     std::vector<glm::vec4> texels(e.luminance_nit.size());
@@ -75,13 +96,13 @@ gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands,
 }
 
 /// Smooth levels are large and narrow: few samples; rough ones small and wide.
-std::int32_t sample_count(std::uint32_t level) {
-    return level == 0 ? 1 : std::min(128 << (level - 1), 1024);
+std::int32_t sample_count(int level) {
+    return std::min(128 << (level / 2), 1024);
 }
 
 gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Image& source) {
-    gpu::Image specular(device, {kSpecularSize, kSpecularSize, kFloat4,
-                                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT, kSpecularLevels});
+    gpu::Image specular(device, {2 * shading::kSpecularSize, shading::kSpecularSize, kFloat4,
+                                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT, kSpecularMips});
     const gpu::ComputePipeline pipeline = gpu::create_compute_pipeline(
         device, shaders::prefilter_comp,
         {{{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
@@ -91,16 +112,20 @@ gpu::Image prefilter(const gpu::Device& device, gpu::Commands& commands, gpu::Im
     commands.begin_pass("prefilter");
     commands.use(source, gpu::Use::sampled);
     commands.use(specular, gpu::Use::storage_write);
-    for (std::uint32_t level = 1; level < kSpecularLevels; ++level) {
-        const float perceptual_roughness =
-            static_cast<float>(level) / static_cast<float>(kSpecularLevels - 1);
-        const std::uint32_t size = kSpecularSize >> level;
-        const PrefilterBlock block{static_cast<std::int32_t>(size), sample_count(level),
-                                   perceptual_roughness * perceptual_roughness,
-                                   static_cast<float>(kSpecularSize), static_cast<float>(kSourceLevels)};
-        const std::array bindings{gpu::bind_sampled(source.view(), sampler.get()),
-                                  gpu::bind_storage(specular.mip_view(level))};
-        commands.dispatch(pipeline, bindings, gpu::push(block), (size + 7) / 8, (size + 7) / 8);
+    for (int level = 1; level < shading::kSpecularLevels; ++level) {
+        const int size = shading::specular_level_size(level);
+        const PrefilterBlock block{
+            size,
+            sample_count(level),
+            shading::alpha_from_perceptual_roughness(shading::specular_level_roughness(level)),
+            static_cast<float>(shading::kSpecularSize),
+            static_cast<float>(kSourceLevels),
+            level % 2 * size};
+        const std::array bindings{
+            gpu::bind_sampled(source.view(), sampler.get()),
+            gpu::bind_storage(specular.mip_view(static_cast<std::uint32_t>(level / 2)))};
+        const auto groups = static_cast<std::uint32_t>((size + 7) / 8);
+        commands.dispatch(pipeline, bindings, gpu::push(block), groups, groups);
     }
     commands.copy_level(source, specular, 0);
     commands.use(specular, gpu::Use::sampled);
@@ -121,20 +146,18 @@ EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& 
 EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
                                       const scene::Environment& e, Prefilter where) {
     EnvironmentMaps maps;
-    maps.specular_levels = kSpecularLevels;
     // Scaled so that the brightest texel is far from float's end when it is squared or summed on the way.
     const float peak_nit = peak_of(e);
     maps.nit_per_unit = peak_nit > 60000.0f ? peak_nit / 60000.0f : 1.0f;
     const float units_per_nit = e.scale / maps.nit_per_unit;
     maps.background = upload_background(device, commands, e, units_per_nit);
     if (where == Prefilter::processor) {
-        const OctahedralLight light =
-            filter_octahedral(e, units_per_nit, kSpecularSize, kSpecularLevels, kIrradianceSize);
-        maps.specular = upload_levels(device, commands, light.specular);
+        const OctahedralLight light = filter_octahedral(e, units_per_nit, kIrradianceSize);
+        maps.specular = upload_specular(device, commands, light.specular);
         maps.irradiance = upload_levels(device, commands, {light.irradiance});
         return maps;
     }
-    std::vector<OctahedralMap> source{from_equirect(e, units_per_nit, kSpecularSize)};
+    std::vector<OctahedralMap> source{from_equirect(e, units_per_nit, shading::kSpecularSize)};
     while (source.size() < kSourceLevels) source.push_back(halve(source.back()));
     gpu::Image source_image = upload_levels(device, commands, source);
     maps.specular = prefilter(device, commands, source_image);

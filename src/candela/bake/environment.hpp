@@ -12,18 +12,16 @@ namespace candela::bake {
 /// fold.
 struct EnvironmentMaps {
     gpu::Image background;  ///< equirectangular, as given
-    gpu::Image specular;    ///< octahedral, GGX-prefiltered (Karis 2013; Frostbite 4.9.2, the LD term), one
-                            ///< roughness a level
+    gpu::Image specular;    ///< octahedral, GGX-prefiltered (Karis 2013; Frostbite 4.9.2, the LD term), laid
+                            ///< out as shading/specular_levels.glsl says
     gpu::Image irradiance;  ///< octahedral, irradiance / pi: what a white Lambert surface shows
     float nit_per_unit = 1.0f;
-    std::uint32_t specular_levels = 1;
 };
 
 /// Who filters: the device with a shader, or the processor by filter_octahedral.
 enum class Prefilter : std::uint8_t { device, processor };
 
-/// Filters an environment where that is quicker: level i of `specular` stands for perceptual roughness i /
-/// (levels - 1).
+/// Filters an environment where that is quicker.
 [[nodiscard]] EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,
                                                     const scene::Environment& environment);
 [[nodiscard]] EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& commands,

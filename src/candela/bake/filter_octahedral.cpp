@@ -7,7 +7,9 @@
 #include <functional>
 
 #include "candela/bake/filter_harmonic.hpp"
+#include "shading/microfacet.glsl"
 #include "shading/octahedral.glsl"
+#include "shading/specular_levels.glsl"
 
 namespace candela::bake {
 namespace {
@@ -88,19 +90,19 @@ OctahedralMap blurred(const EquirectLight& light, const Harmonics& harmonics, fl
 
 }  // namespace
 
-OctahedralLight filter_octahedral(const scene::Environment& environment, float scale, std::uint32_t size,
-                                  std::uint32_t levels, std::uint32_t irradiance_size) {
+OctahedralLight filter_octahedral(const scene::Environment& environment, float scale,
+                                  std::uint32_t irradiance_size) {
     // Two texels of the octahedron to one of the map along the equator.
-    const EquirectLight light = equirect_light(environment, scale, 4 * size);
-    const auto alpha = [&](std::uint32_t level) {
-        const float roughness = static_cast<float>(level) / static_cast<float>(levels - 1);
-        return roughness * roughness;
+    const EquirectLight light = equirect_light(environment, scale, 4 * shading::kSpecularSize);
+    const auto alpha = [&](int level) {
+        return shading::alpha_from_perceptual_roughness(shading::specular_level_roughness(level));
     };
     const Harmonics harmonics = analyze_for(light, alpha(1));
     OctahedralLight out;
-    out.specular.push_back(mirror(light, size));
-    for (std::uint32_t level = 1; level < levels; ++level)
-        out.specular.push_back(blurred(light, harmonics, alpha(level), size >> level));
+    out.specular.push_back(mirror(light, shading::kSpecularSize));
+    for (int level = 1; level < shading::kSpecularLevels; ++level)
+        out.specular.push_back(blurred(light, harmonics, alpha(level),
+                                       static_cast<std::uint32_t>(shading::specular_level_size(level))));
     out.irradiance = blurred(light, harmonics, 1.0f, irradiance_size);
     return out;
 }

@@ -33,8 +33,6 @@ constexpr std::array<FaceAxes, 6> kAxes{{{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
 struct MapBlock {
     std::int32_t size;
     float perceptual_roughness;
-    std::int32_t color_levels;
-    std::int32_t visibility_levels;
     float nit_per_unit;
     float visibility_per_unit;
 };
@@ -153,8 +151,6 @@ scene::ProbeCapture filter_probe(const gpu::Device& device, gpu::Commands& comma
         const float step = float(level) / float(kMapLevels - 1);
         const MapBlock block{static_cast<std::int32_t>(size),
                              step * step,
-                             static_cast<std::int32_t>(color.specular_levels),
-                             static_cast<std::int32_t>(visibility.specular_levels),
                              color.nit_per_unit,
                              visibility.nit_per_unit};
         commands.begin();

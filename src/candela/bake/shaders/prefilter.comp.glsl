@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
     float alpha;
     float source_size;  // of level 0 of the source
     float source_levels;
+    int left;  // texels before the level's first column in the image
 };
 
 // Direction of a texel; a gutter is the interior texel across the fold (OctahedralMap).
@@ -54,5 +55,5 @@ void main() {
         sum += radiance * NoL;
         weight += NoL;
     }
-    imageStore(level_image, texel, vec4(sum / weight, 1.0));
+    imageStore(level_image, texel + ivec2(left, 0), vec4(sum / weight, 1.0));
 }

@@ -12,8 +12,6 @@ layout(set = 0, binding = 2, rgba32f) writeonly uniform image2D level_image;
 layout(push_constant) uniform Push {
     int size;  // texels a side of this level, gutters included
     float perceptual_roughness;
-    int color_levels;
-    int visibility_levels;
     float nit_per_unit;
     float visibility_per_unit;
 };
@@ -23,7 +21,7 @@ void main() {
     if (any(greaterThanEqual(texel, ivec2(size)))) return;
     ivec2 interior = octahedral_fold(texel - 1, size - 2);
     vec3 direction = octahedral_decode((vec2(interior) + 0.5) / float(size - 2) * 2.0 - 1.0);
-    vec3 color = sample_specular_ld(color_map, direction, perceptual_roughness, color_levels);
-    float visibility = sample_specular_ld(visibility_map, direction, perceptual_roughness, visibility_levels).r;
+    vec3 color = sample_specular_ld(color_map, direction, perceptual_roughness);
+    float visibility = sample_specular_ld(visibility_map, direction, perceptual_roughness).r;
     imageStore(level_image, texel, vec4(color * nit_per_unit, clamp(visibility * visibility_per_unit, 0.0, 1.0)));
 }

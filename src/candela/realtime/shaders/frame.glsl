@@ -9,7 +9,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 camera_backward;   // unit, towards the viewer
     vec4 exposure;          // x pre-exposure (1 / nit), y its inverse, z footprint of a sample in pixels, w unused
     vec4 environment;       // x cos, y sin of the rotation about +Y, z nit per texel unit, w 1 = drawn as background
-    ivec4 size;             // x, y pixels; z lights; w levels of the specular map
+    ivec4 size;             // x, y pixels; z lights; w unused
     ivec4 tiles;            // x, y tiles; z tiles in a class list; w unused
     vec4 ray;               // world direction through pixel (0, 0), any length
     vec4 ray_dx;            // its change per pixel

@@ -15,8 +15,7 @@ const int kIrradianceDominant = 1;
 
 // Prefiltered environment about a direction that need not be unit, in cd/m^2.
 vec3 environment_glossy(vec3 direction, float perceptual_roughness) {
-    return sample_specular_ld(specular_map_ld, to_environment(direction), perceptual_roughness, frame.size.w) *
-           frame.environment.z;
+    return sample_specular_ld(specular_map_ld, to_environment(direction), perceptual_roughness) * frame.environment.z;
 }
 vec3 environment_glossy(LobeRead read) {
     return environment_glossy(read.direction, read.perceptual_roughness) * read.weight;
