@@ -4,7 +4,6 @@
 
 #include "candela/bake/environment.hpp"
 #include "environments.hpp"
-#include "shading/microfacet.glsl"
 #include "shading/specular_levels.glsl"
 
 namespace candela {
@@ -60,8 +59,8 @@ TEST(SpecularLevels, TheBlendIsAsWideAsTheLobe) {
         const float finer = shading::specular_finer_level(roughness);
         const float blend = shading::specular_level_blend(roughness, finer);
         const auto alpha = [](float level) {
-            return shading::alpha_from_perceptual_roughness(
-                shading::specular_level_roughness(static_cast<int>(level)));
+            const float r = shading::specular_level_roughness(static_cast<int>(level));
+            return r * r;
         };
         EXPECT_NEAR(glm::mix(alpha(finer), alpha(finer + 1.0f), blend), roughness * roughness, 1e-5f);
     }
