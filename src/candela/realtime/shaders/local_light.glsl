@@ -3,6 +3,7 @@
 #define CANDELA_LOCAL_LIGHT_GLSL
 
 #include "octahedral.glsl"
+#include "layer_reflection.glsl"
 #include "probes/composition.glsl"
 #include "dominant_direction.glsl"
 #include "probes/harmonics.glsl"
@@ -187,20 +188,28 @@ vec3 local_irradiance(vec3 position, vec3 n, vec3 v, vec3 direction, vec3 distan
     return sum + rest * distant;
 }
 
-// Prefiltered light about a lobe: the probes, then the distant light. Where no probe reaches but a volume does, the volume's
-// smooth light is nearer to the truth than a sky that may be behind walls.
-vec3 local_specular(vec3 position, vec3 n, vec3 v, vec3 dominant, float perceptual_roughness, vec3 distant) {
+// Prefiltered light about a lobe, read in one or two places (the other's weight 0): the probes, then the distant light. Where
+// no probe reaches but a volume does, the volume's smooth light is nearer to the truth than a sky that may be behind walls.
+vec3 local_specular(vec3 position, vec3 n, vec3 v, LobeRead first, LobeRead second, vec3 distant) {
     if (kCapturesProbe) return vec3(0.0);
     float reach = 0.0;
     ProbeSum sum = empty_probe_sum();
-    if ((kLocalLight & kLocalProbes) != 0u) sum = probes_specular(position, dominant, perceptual_roughness, reach);
+    if ((kLocalLight & kLocalProbes) != 0u) {
+        for (int i = 0; i < 2; ++i) {
+            LobeRead read = i == 0 ? first : second;
+            if (read.weight <= 0.0) continue;
+            ProbeSum seen = probes_specular(position, read.direction, read.perceptual_roughness, reach);
+            sum.luminance_nit += read.weight * seen.luminance_nit;
+            sum.alpha += read.weight * seen.alpha;
+        }
+    }
     if ((kLocalLight & kLocalVolumes) != 0u && reach < 0.999) {
         // The smallest volume first, as for diffuse light.
         uint record = local_quads[0].w;
         float rest = 1.0 - reach;
         vec3 smooth_nit = vec3(0.0);
         for (uint i = 0u; i < local_quads[0].z && rest > 0.001; ++i, record += kVolumeQuads) {
-            vec4 light = volume_irradiance(record, position, n, v, dominant);
+            vec4 light = volume_irradiance(record, position, n, v, first.direction);
             smooth_nit += light.rgb * (light.w * rest);
             rest *= 1.0 - light.w;
         }

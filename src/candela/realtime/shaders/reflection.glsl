@@ -61,11 +61,14 @@ vec3 environment_anisotropic(SurfacePoint p) {
     return sum / max(weights, 1.0e-6);
 }
 
+float base_fresnel_share(SurfacePoint p) {
+    return fresnel_share(luminance(p.prepared.specular_f0), luminance(p.prepared.specular_f90), p.dfg.xy);
+}
+
 // Seen in the base's lobe. What the papers have no technique for is as if isotropic with theirs.
 vec3 environment_base(SurfacePoint p) {
     if (kShadeLayers && kReflection >= kReflectionFitted && p.g.surface.anisotropy > 0.0) return environment_anisotropic(p);
-    float share = fresnel_share(luminance(p.prepared.specular_f0), luminance(p.prepared.specular_f90), p.dfg.xy);
-    return environment_specular(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness, share);
+    return environment_specular(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness, base_fresnel_share(p));
 }
 
 // Seen in the sheen's lobe.

@@ -124,15 +124,24 @@ void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 spec
 
 #include "reflection.glsl"
 
-// Unit directions in which local light is read for the base's lobes: once a lobe, whatever the technique reads of the
-// environment.
+// Unit direction in which local light is read for the base's diffuse lobe.
 vec3 diffuse_direction(SurfacePoint p) {
     if (kDiffuse == kDiffuseLambert) return p.g.normal;
     return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness));
 }
-vec3 reflection_direction(vec3 n, vec3 v, float alpha) {
-    vec3 mirror = 2.0 * dot(n, v) * n - v;
-    return kReflection == kReflectionMirror ? mirror : normalize(specular_dominant_direction(n, mirror, alpha));
+// Local light in a lobe over the distant light in it. share: fresnel_share() of the lobe.
+vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughness, float share, vec3 distant) {
+    LobeRead first = LobeRead(2.0 * dot(n, p.v) * n - p.v, perceptual_roughness, 1.0);
+    LobeRead second = LobeRead(first.direction, perceptual_roughness, 0.0);
+    if (kReflection >= kReflectionStretched2) {
+        stretched_reflection_2(n, p.v, NoV, perceptual_roughness, share, first, second);
+    } else if (kReflection == kReflectionFitted) {
+        first = fitted_reflection(n, p.v, NoV, perceptual_roughness, share);
+    } else if (kReflection != kReflectionMirror) {
+        float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
+        first.direction = normalize(specular_dominant_direction(n, first.direction, alpha));
+    }
+    return local_specular(p.position, n, p.v, first, second, distant);
 }
 
 void add_environment(SurfacePoint p, inout Lit lit) {
@@ -146,8 +155,7 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec3 radiance = environment_base(p);
     if (kLocalLight != 0u) {
         irradiance_over_pi = local_irradiance(p.position, g.normal, v, diffuse_direction(p), irradiance_over_pi);
-        radiance = local_specular(p.position, g.normal, v, reflection_direction(g.normal, v, alpha),
-                                  g.surface.perceptual_roughness, radiance);
+        radiance = local_reflection(p, g.normal, NoV, g.surface.perceptual_roughness, base_fresnel_share(p), radiance);
     }
     if (kDfg == kDfgFullyRough) {
         lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
@@ -168,14 +176,13 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
     vec3 coat_radiance = environment_specular(g.coat_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
     if (kLocalLight != 0u) {
-        float coat_alpha = alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness);
-        coat_radiance = local_specular(p.position, g.coat_normal, v, reflection_direction(g.coat_normal, v, coat_alpha),
-                                       g.surface.coat_perceptual_roughness, coat_radiance);
+        coat_radiance = local_reflection(p, g.coat_normal, coat_NoV, g.surface.coat_perceptual_roughness, 0.0, coat_radiance);
     }
     vec3 sheen = environment_sheen(p, irradiance_over_pi);
     if (kLocalLight != 0u && kReflection >= kReflectionFitted && max_component(g.surface.sheen_color) > 0.0) {
         LobeRead read = sheen_read(g.normal, v, NoV, g.surface.sheen_perceptual_roughness);
-        sheen = local_specular(p.position, g.normal, v, normalize(read.direction), read.perceptual_roughness, sheen);
+        LobeRead whole = LobeRead(normalize(read.direction), read.perceptual_roughness, 1.0);
+        sheen = local_specular(p.position, g.normal, v, whole, LobeRead(whole.direction, 1.0, 0.0), sheen);
     }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
