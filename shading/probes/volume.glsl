@@ -31,21 +31,6 @@ FN float probe_weight(float facing, float visibility) {
     return w < 0.2f ? w * w * w / 0.04f : w;
 }
 
-// Beyond an edge the octahedron goes on along the same edge, mirrored.
-FN ivec2 octahedral_fold(ivec2 texel, int size) {
-    int x = texel.x;
-    int y = texel.y;
-    if (x < 0 || x >= size) {
-        x = clamp(x, 0, size - 1);
-        y = size - 1 - y;
-    }
-    if (y < 0 || y >= size) {
-        y = clamp(y, 0, size - 1);
-        x = size - 1 - x;
-    }
-    return ivec2(x, y);
-}
-
 // How much of a point's diffuse light the volume gives: all inside its box, nothing from fade_m outside on.
 FN float volume_influence(float outside_m, float fade_m) {
     return 1.0f - smoothstep(0.0f, 1.0f, saturate(outside_m / max(fade_m, 1.0e-4f)));
