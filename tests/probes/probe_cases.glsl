@@ -2,8 +2,9 @@
 #ifndef CANDELA_PROBE_CASES_GLSL
 #define CANDELA_PROBE_CASES_GLSL
 
-#include "../../shading/probes/composition.glsl"
 #include "../../shading/dominant_direction.glsl"
+#include "../../shading/octahedral.glsl"
+#include "../../shading/probes/composition.glsl"
 #include "../../shading/probes/parallax.glsl"
 #include "../../shading/probes/volume.glsl"
 #include "../../shading/spherical_harmonics.glsl"
