@@ -11,7 +11,9 @@ CANDELA_SHADING_BEGIN
 CONSTANT int kDistanceSize = 16;
 
 // A probe in front of the surface counts for more than one behind it, which still counts for something: where all are
-// behind, something must remain. to_probe: unit.
+// behind, something must remain. to_probe: unit. Changed: 0.02 where the authors have 0.2. Through a wall of 6 cm half as much
+// leaks (cells of 1 m: 6e-5 of what its lit side has, against 1.1e-4), and the difference to path tracing is nearly the same
+// (mean FLIP 0.0743 against 0.0738 in cornell_room, 0.0819 against 0.0818 in two_rooms).
 FN float facing_weight(vec3 n, vec3 to_probe) { return square(0.5f * dot(n, to_probe) + 0.5f) + 0.02f; }
 
 // The part of a probe's view towards a point that reaches it: Chebyshev's inequality over the distances seen that way
