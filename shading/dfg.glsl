@@ -45,15 +45,27 @@ FN vec3 vndf_point(uint i, uint n) {
     return vec3(0.5f * u.x, u.y * (2.0f - u.y), 2.0f * (1.0f - u.y));
 }
 
-// Scale of f0 and bias by f90 of GGX with height-correlated Smith, Frostbite equation 58: f0 x + f90 y is the
-// directional albedo with Schlick's Fresnel. Changed from Frostbite: visible normals are drawn instead of
-// all, so what is averaged, G2 / G1(v), stays within [0,1] at any angle. Error below 1e-3 with 1024 samples.
-// NoV in (0,1].
-FN vec2 integrate_ggx_albedo(float NoV, float perceptual_roughness, uint sample_count) {
+// How masking and shadowing go together in integrate_ggx_albedo_masked.
+CONSTANT int kMaskingCorrelated = 0;
+CONSTANT int kMaskingIndependent = 1;
+CONSTANT int kMaskingSchlick = 2;
+
+// What a visible normal of GGX brings of its energy to the directional albedo, before Fresnel: G2 / G1(v) for Smith's masking.
+FN float visible_normal_weight(int masking, float NoV, float NoL, float alpha) {
+    if (masking == kMaskingIndependent) return G1_SmithGGX(NoL, alpha);
+    float root_v = smith_ggx_root(NoV, alpha);
+    if (masking == kMaskingSchlick) return V_SchlickSmith(NoV, NoL, k_image_based(alpha)) * 2.0f * NoL * (NoV + root_v);
+    float root_l = smith_ggx_root(NoL, alpha);
+    return NoL * (NoV + root_v) / (NoL * root_v + NoV * root_l);
+}
+
+// Scale of f0 and bias by f90 of GGX, Frostbite equation 58: f0 x + f90 y is the directional albedo with
+// Schlick's Fresnel. Changed from Frostbite: visible normals are drawn instead of all, so what is averaged
+// stays within [0,1] at any angle. Error below 1e-3 with 1024 samples. NoV in (0,1].
+FN vec2 integrate_ggx_albedo_masked(int masking, float NoV, float perceptual_roughness, uint sample_count) {
     float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
     float cosine = clamp(NoV, 1.0e-4f, 1.0f);
     vec3 v = vec3(sqrt(1.0f - cosine * cosine), 0.0f, cosine);
-    float root_v = smith_ggx_root(cosine, alpha);
     vec2 sum = vec2(0.0f);
     for (uint i = 0u; i < sample_count; ++i) {
         vec3 u = vndf_point(i, sample_count);
@@ -61,12 +73,25 @@ FN vec2 integrate_ggx_albedo(float NoV, float perceptual_roughness, uint sample_
         float VoH = saturate(dot(v, h));
         float NoL = 2.0f * VoH * h.z - cosine;
         if (NoL <= 0.0f) continue;
-        float root_l = smith_ggx_root(NoL, alpha);
-        float g2_over_g1 = NoL * (cosine + root_v) / (NoL * root_v + cosine * root_l);
         float fresnel = pow5(1.0f - VoH);
-        sum += vec2(1.0f - fresnel, fresnel) * (g2_over_g1 * u.z);
+        sum += vec2(1.0f - fresnel, fresnel) * (visible_normal_weight(masking, cosine, NoL, alpha) * u.z);
     }
     return sum / float(sample_count);
+}
+
+// With height-correlated Smith, as Frostbite has it.
+FN vec2 integrate_ggx_albedo(float NoV, float perceptual_roughness, uint sample_count) {
+    return integrate_ggx_albedo_masked(kMaskingCorrelated, NoV, perceptual_roughness, sample_count);
+}
+
+// With G1(v) G1(l), Walter et al. 2007, equation 23, for renderers that shade so: over visible normals the average of G1(l).
+FN vec2 integrate_ggx_albedo_uncorrelated(float NoV, float perceptual_roughness, uint sample_count) {
+    return integrate_ggx_albedo_masked(kMaskingIndependent, NoV, perceptual_roughness, sample_count);
+}
+
+// With Schlick's visibility at k = alpha / 2: Karis 2013, "Environment BRDF".
+FN vec2 integrate_ggx_albedo_ue4(float NoV, float perceptual_roughness, uint sample_count) {
+    return integrate_ggx_albedo_masked(kMaskingSchlick, NoV, perceptual_roughness, sample_count);
 }
 
 // Directional albedo of white sheen, evaluate_sheen, at most 1. A smooth sheen lights up within a band at
@@ -95,27 +120,6 @@ FN vec4 integrate_dfg(float NoV, float perceptual_roughness, uint sample_count) 
     vec2 specular = integrate_ggx_albedo(NoV, perceptual_roughness, sample_count);
     return vec4(specular.x, specular.y, albedo_DisneyRenormalized(NoV, perceptual_roughness),
                 integrate_sheen_albedo(NoV, perceptual_roughness, sample_count));
-}
-
-// Scale and bias with Schlick's visibility at k = alpha / 2: Karis 2013, "Environment BRDF". Changed
-// from Karis: visible normals are drawn, not all.
-FN vec2 integrate_ggx_albedo_ue4(float NoV, float perceptual_roughness, uint sample_count) {
-    float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
-    float cosine = clamp(NoV, 1.0e-4f, 1.0f);
-    vec3 v = vec3(sqrt(1.0f - cosine * cosine), 0.0f, cosine);
-    float k = k_image_based(alpha);
-    vec2 sum = vec2(0.0f);
-    for (uint i = 0u; i < sample_count; ++i) {
-        vec3 u = vndf_point(i, sample_count);
-        vec3 h = sample_ggx_vndf(vec2(u.x, u.y), v, alpha);
-        float VoH = saturate(dot(v, h));
-        float NoL = 2.0f * VoH * h.z - cosine;
-        if (NoL <= 0.0f) continue;
-        float weight = V_SchlickSmith(cosine, NoL, k) * 2.0f * NoL * (cosine + smith_ggx_root(cosine, alpha));
-        float fresnel = pow5(1.0f - VoH);
-        sum += vec2(1.0f - fresnel, fresnel) * (weight * u.z);
-    }
-    return sum / float(sample_count);
 }
 
 // One texel as integrate_dfg, of the UE4 model; z: Lambert, 1.

@@ -68,13 +68,6 @@ FN vec2 equirect_uv_close(vec3 direction) {
                 atan2_close(across, direction.y) * INV_PI);
 }
 
-// Factor of a spherical harmonic of degree l, index l (l + 1) + m up to 8, that lowers the mean square of the Laplacian, the more
-// the larger lambda is: Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", windowing.
-FN float sh_window(int index, float lambda) {
-    float laplacian = index == 0 ? 0.0f : (index < 4 ? 2.0f : 6.0f);
-    return 1.0f / (1.0f + lambda * laplacian * laplacian);
-}
-
 CANDELA_SHADING_END
 
 #endif

@@ -136,7 +136,11 @@ FN float pow5(float x) {
 FN float max_component(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 // Luminance of linear Rec.709 (ITU-R BT.709-6, section 3.2; the Y row of its primaries with white D65).
-FN float luminance(vec3 rec709) { return dot(rec709, vec3(0.2126f, 0.7152f, 0.0722f)); }
+#define LUMINANCE_OF_REC709 0.2126, 0.7152, 0.0722
+FN float luminance(vec3 rec709) { return dot(rec709, vec3(LUMINANCE_OF_REC709)); }
+#ifdef __cplusplus
+inline double luminance(const glm::dvec3& rec709) { return glm::dot(rec709, glm::dvec3(LUMINANCE_OF_REC709)); }
+#endif
 
 CANDELA_SHADING_END
 

@@ -23,10 +23,15 @@ struct AnisotropicLobe {
     vec2 surface_alpha;
 };
 
-// Own work. Its numbers (here and in anisotropic_read) minimise bake/lobe_fit.hpp's measure over perceptual roughness 0.2 to 0.6,
-// glTF strengths 0.3 to 0.9, NoV 0.25 to 0.95 and two azimuths: error of the shape 0.11 on average, where the mirror direction
-// at the lesser roughness has 0.47. v, n, t, b: unit; NoV in (0,1].
-FN AnisotropicLobe anisotropic_lobe(vec3 n, vec3 t, vec3 b, vec3 v, float NoV, vec2 alpha) {
+// Own fit (`candela bake lobes`; bake/layer_fit.hpp says by which measure). How much of the difference of the ellipse's squared
+// axes each read is wider than the shorter one; where the inner and the outer reads stand, in steps along the lobe; their shares
+// over the middle one's.
+CONSTANT float kAnisotropicWidening = 0.041f;
+CONSTANT vec2 kAnisotropicPlaces = vec2(0.631f, 1.853f);
+CONSTANT vec2 kAnisotropicShares = vec2(0.766f, 0.363f);
+
+// Own work. v, n, t, b: unit; NoV in (0,1].
+FN AnisotropicLobe anisotropic_lobe_widened(vec3 n, vec3 t, vec3 b, vec3 v, float NoV, vec2 alpha, float widening) {
     // In the plane of incidence, away from the viewer, and across it; along the tangent where there is no plane.
     vec3 away = NoV * n - v;
     float sine2 = dot(away, away);
@@ -52,19 +57,20 @@ FN AnisotropicLobe anisotropic_lobe(vec3 n, vec3 t, vec3 b, vec3 v, float NoV, v
     lobe.n = n;
     lobe.v = v;
     lobe.slope = sqrt(longer - shorter) * (axis.x * away + axis.y * across);
-    lobe.alpha = sqrt(shorter + 0.041f * (longer - shorter));
+    lobe.alpha = sqrt(shorter + widening * (longer - shorter));
     lobe.n_scaled_v = vec3(alpha.x * dot(t, v), alpha.y * dot(b, v), NoV);
     lobe.t = t;
     lobe.b = b;
     lobe.surface_alpha = alpha;
     return lobe;
 }
+FN AnisotropicLobe anisotropic_lobe(vec3 n, vec3 t, vec3 b, vec3 v, float NoV, vec2 alpha) {
+    return anisotropic_lobe_widened(n, t, b, v, NoV, alpha, kAnisotropicWidening);
+}
 
-// Read i of kAnisotropicReads. Its weight is relative: G2 / G1 of the density of visible normals, 0 below the horizon; the
-// middle one's is never 0.
-FN LobeRead anisotropic_read(AnisotropicLobe lobe, int i) {
-    float place = i == 2 ? 0.0f : (i == 1 || i == 3 ? 0.631f : 1.853f) * (i < 2 ? -1.0f : 1.0f);
-    float share = i == 2 ? 1.0f : (i == 1 || i == 3 ? 0.766f : 0.363f);
+// The read `place` steps along the lobe. Its weight is relative: G2 / G1 of the density of visible normals, 0 below the horizon;
+// the middle one's is never 0.
+FN LobeRead anisotropic_read_at(AnisotropicLobe lobe, float place, float share) {
     vec3 h = normalize(lobe.n + place * lobe.slope);
     float VoH = dot(lobe.v, h);
     vec3 l = 2.0f * VoH * h - lobe.v;
@@ -75,6 +81,13 @@ FN LobeRead anisotropic_read(AnisotropicLobe lobe, int i) {
     float g2_over_g1 = NoL * (NoV + root_v) / max(NoL * root_v + NoV * root_l, 1.0e-7f);
     return LobeRead(l, sqrt(min(lobe.alpha, 1.0f)), share * max(VoH, 0.0f) * g2_over_g1);
 }
+// Read i of kAnisotropicReads.
+FN LobeRead anisotropic_read(AnisotropicLobe lobe, int i) {
+    bool inner = i == 1 || i == 3;
+    float place = i == 2 ? 0.0f : (inner ? kAnisotropicPlaces.x : kAnisotropicPlaces.y) * (i < 2 ? -1.0f : 1.0f);
+    float share = i == 2 ? 1.0f : (inner ? kAnisotropicShares.x : kAnisotropicShares.y);
+    return anisotropic_read_at(lobe, place, share);
+}
 
 // The usual stand-in: the mirror direction about a normal that is bent towards the viewer across the grain, with the width of
 // the narrow side. Revie 2011 ("Implementing Fur Using Deferred Shading"), as KHR_materials_anisotropy's sample renderer has it.
@@ -83,15 +96,27 @@ FN vec3 anisotropic_bent_normal(vec3 n, vec3 b, vec3 v, float anisotropy, float 
     return normalize(mix(n, normalize(bent), anisotropy * saturate(5.0f * perceptual_roughness)));
 }
 
+// Own fit (`candela bake lobes`; bake/layer_fit.hpp says by which measure): polynomials in NoV (c) and sheen roughness (r), by
+// 1, c, r and c c, c r, r r.
+CONSTANT vec3 kSheenTilt = vec3(2.1671f, -0.0743f, -7.2280f);
+CONSTANT vec3 kSheenTiltSquares = vec3(3.0434f, -2.0403f, 4.2844f);
+CONSTANT vec3 kSheenWidth = vec3(0.9883f, -1.9070f, 1.2798f);
+CONSTANT vec3 kSheenWidthSquares = vec3(1.0906f, 1.3807f, -0.9379f);
+
+// log_tilt: of the direction towards the viewer, over the sine of the view's angle.
+FN LobeRead sheen_read_at(vec3 n, vec3 v, float NoV, float log_tilt, float width) {
+    return LobeRead(normalize(n + exp(log_tilt) * (v - NoV * n)), saturate(width), 1.0f);
+}
+
 // One read for sheen, whose lobe lies along the horizon and leans to the viewer's side, where a prefiltered map has no such
-// shape. Own fit by the same measure over NoV and sheen roughness 0.1 to 1: error of the shape 0.21 on average, where
-// irradiance has 0.45. tilt: of the direction towards the viewer, over the sine of the view's angle.
+// shape.
 FN LobeRead sheen_read(vec3 n, vec3 v, float NoV, float sheen_perceptual_roughness) {
     float c = NoV;
     float r = sheen_perceptual_roughness;
-    float tilt = exp(2.1671f - 0.0743f * c - 7.2280f * r + 3.0434f * c * c - 2.0403f * c * r + 4.2844f * r * r);
-    float width = 0.9883f - 1.9070f * c + 1.2798f * r + 1.0906f * c * c + 1.3807f * c * r - 0.9379f * r * r;
-    return LobeRead(normalize(n + tilt * (v - NoV * n)), saturate(width), 1.0f);
+    vec3 low = vec3(1.0f, c, r);
+    vec3 squares = vec3(c * c, c * r, r * r);
+    return sheen_read_at(n, v, NoV, dot(kSheenTilt, low) + dot(kSheenTiltSquares, squares),
+                         dot(kSheenWidth, low) + dot(kSheenWidthSquares, squares));
 }
 
 CANDELA_SHADING_END

@@ -38,6 +38,22 @@ FN vec2 octahedral_unfolded(vec2 e) {
     return vec2(x, y);
 }
 
+// octahedral_unfolded for texels, up to `size` of them outside of an edge: beyond it the octahedron goes on along the same edge,
+// mirrored.
+FN ivec2 octahedral_fold(ivec2 texel, int size) {
+    int x = texel.x;
+    int y = texel.y;
+    if (x < 0 || x >= size) {
+        x = (x < 0 ? -1 : 2 * size - 1) - x;
+        y = size - 1 - y;
+    }
+    if (y < 0 || y >= size) {
+        y = (y < 0 ? -1 : 2 * size - 1) - y;
+        x = size - 1 - x;
+    }
+    return ivec2(x, y);
+}
+
 CANDELA_SHADING_END
 
 #endif

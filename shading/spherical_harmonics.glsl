@@ -1,10 +1,13 @@
-// Real spherical harmonics of bands 0 to 2 in the order l (l + 1) + m, without the Condon-Shortley phase.
+// Light in all directions as nine numbers: real spherical harmonics of bands 0 to 2 in the order l (l + 1) + m, without the
+// Condon-Shortley phase. Ramamoorthi & Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps".
 #ifndef CANDELA_SPHERICAL_HARMONICS_GLSL
 #define CANDELA_SPHERICAL_HARMONICS_GLSL
 
 #include "language.glsl"
 
 CANDELA_SHADING_BEGIN
+
+CONSTANT int kShCoefficients = 9;
 
 // What the polynomial below is multiplied by so that the basis is orthonormal over the sphere: Ramamoorthi & Hanrahan 2001,
 // equation 3, from its roots instead of rounded to six digits.
@@ -36,6 +39,13 @@ FN float sh_basis(int index, vec3 d) {
 // (pi, 2 pi / 3, pi / 4), over pi.
 FN float sh_cosine_over_pi(int index) {
     return index == 0 ? 1.0f : index < 4 ? 2.0f / 3.0f : 0.25f;
+}
+
+// Factor of the coefficient of this index, of degree l, that lowers the mean square of the Laplacian, l (l + 1), the more the larger
+// lambda is, so that a sum rings less: Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", windowing. lambda 0: not at all.
+FN float sh_window(int index, float lambda) {
+    float laplacian = index == 0 ? 0.0f : (index < 4 ? 2.0f : 6.0f);
+    return 1.0f / (1.0f + lambda * laplacian * laplacian);
 }
 
 CANDELA_SHADING_END

@@ -44,7 +44,11 @@ FN float lobe_polynomial(LobeBasis basis, vec4 low, vec4 high, vec4 fresnel) {
 FN LobeRead lobe_read(vec3 n, vec3 v, float NoV, float perceptual_roughness, float alpha, float tilt, float width,
                       float weight) {
     vec3 h = normalize(n + (alpha * tilt) * (NoV * n - v));
-    return LobeRead(2.0f * dot(v, h) * h - v, saturate(width * perceptual_roughness), weight);
+    vec3 l = 2.0f * dot(v, h) * h - v;
+    // Only where f0 is below all that was fitted (0.04; from 0.02 on none is): the lobe ends at the horizon.
+    float NoL = dot(n, l);
+    if (NoL < 0.0f) l = normalize(l - NoL * n);
+    return LobeRead(l, saturate(width * perceptual_roughness), weight);
 }
 
 // Share of a surface's reflected light that the rise of Fresnel's reflectance gives; ab: scale of f0 and bias (dfg.glsl).

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "candela/bake/layer_fit.hpp"
 #include "candela/bake/lobe_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
 #include "candela/version.hpp"
@@ -33,12 +34,14 @@ nlohmann::json fit_of(int reads) {
     return {{"reads", reads},
             {"mean_error", rounded(fit.errors.mean)},
             {"largest_error", rounded(fit.errors.largest)},
+            {"committed_mean_error", rounded(bake::committed_lobe_errors(reads).mean)},
             {"polynomials", polynomials}};
 }
 
 void print(const nlohmann::json& fit) {
-    std::printf("reads %d: error %.4f on average, %.4f at most\n", fit["reads"].get<int>(),
-                fit["mean_error"].get<double>(), fit["largest_error"].get<double>());
+    std::printf("reads %d: error %.4f on average, %.4f at most; %.4f with the constants in shading/\n",
+                fit["reads"].get<int>(), fit["mean_error"].get<double>(), fit["largest_error"].get<double>(),
+                fit["committed_mean_error"].get<double>());
     for (const auto& [name, c] : fit["polynomials"].items()) {
         std::printf("  %s:", name.c_str());
         for (std::size_t i = 0; i < c.size(); i += 4)
@@ -46,6 +49,34 @@ void print(const nlohmann::json& fit) {
                         c[i + 2].get<double>(), c[i + 3].get<double>());
         std::printf("\n");
     }
+}
+
+nlohmann::json layer_of(const bake::LayerFit& fit) {
+    nlohmann::json constants = nlohmann::json::array();
+    for (const bake::FittedConstant& c : fit.constants)
+        constants.push_back(
+            {{"name", c.name}, {"committed", rounded(c.committed)}, {"found", rounded(c.found)}});
+    return {{"layer", fit.name},
+            {"views", fit.views},
+            {"mean_error", rounded(fit.found.mean)},
+            {"largest_error", rounded(fit.found.largest)},
+            {"committed_mean_error", rounded(fit.committed.mean)},
+            {"committed_largest_error", rounded(fit.committed.largest)},
+            {"usual_mean_error", rounded(fit.instead.mean)},
+            {"constants", constants}};
+}
+
+void print_layer(const nlohmann::json& fit) {
+    std::printf(
+        "%s: error %.4f on average, %.4f at most; %.4f and %.4f with the constants in shading/; %.4f by "
+        "the usual read\n",
+        fit["layer"].get<std::string>().c_str(), fit["mean_error"].get<double>(),
+        fit["largest_error"].get<double>(), fit["committed_mean_error"].get<double>(),
+        fit["committed_largest_error"].get<double>(), fit["usual_mean_error"].get<double>());
+    std::printf("  %-26s %10s %10s\n", "constant", "shading/", "found");
+    for (const nlohmann::json& c : fit["constants"])
+        std::printf("  %-26s %10.4f %10.4f\n", c["name"].get<std::string>().c_str(),
+                    c["committed"].get<double>(), c["found"].get<double>());
 }
 
 }  // namespace
@@ -63,10 +94,15 @@ int bake_lobes(const std::string& output, bool json) {
         {"views", "perceptual roughness 0.1 to 1 in tenths, 16 angles from 2.8 to 87.2 degrees"},
         {"error", "see bake/lobe_fit.hpp"},
         {"terms", {"1", "z", "c", "r", "z z", "c z", "r z", "r c", "s", "s z", "s c", "s r"}},
-        {"fits", nlohmann::json::array()}};
+        {"fits", nlohmann::json::array()},
+        {"layers", nlohmann::json::array()}};
     for (int reads = 1; reads <= 3; ++reads) {
         all["fits"].push_back(fit_of(reads));
         if (!json) print(all["fits"].back());
+    }
+    for (const bake::LayerFit& fit : {bake::fit_anisotropic_reads(), bake::fit_sheen_read()}) {
+        all["layers"].push_back(layer_of(fit));
+        if (!json) print_layer(all["layers"].back());
     }
     const std::string text = all.dump(2) + "\n";
     if (json) std::printf("%s", text.c_str());

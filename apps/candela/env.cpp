@@ -67,10 +67,6 @@ void write_map(const std::filesystem::path& file, const Environment& e) {
                   {});
 }
 
-double luminous(const glm::dvec3& v) {
-    return glm::dot(v, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
-
 double elevation_deg(const glm::vec3& d) {
     return kDegPerRad * std::atan2(double{d.y}, std::hypot(double{d.x}, double{d.z}));
 }
@@ -86,7 +82,7 @@ json direction_json(const glm::vec3& d) {
 }
 
 json source_json(const EnvironmentSource& s) {
-    const double lx = luminous(s.illuminance_lx);
+    const double lx = shading::luminance(s.illuminance_lx);
     json out = direction_json(s.direction);
     out["illuminance_lx"] = lx;
     out["upward_lx"] = lx * std::max(double{s.direction.y}, 0.0);

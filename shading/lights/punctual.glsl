@@ -9,19 +9,21 @@
 
 CANDELA_SHADING_BEGIN
 
-// Frostbite equation 26 with n = 4: 1 near the light, 0 with zero slope from range_m on. range_m > 0;
-// infinity: 1 everywhere.
+// Frostbite equation 26 with n = 4, of the square of distance over range.
+FN float window_of_square(float share_of_range2) {
+    return square(saturate(1.0f - share_of_range2 * share_of_range2));
+}
+
+// 1 near the light, 0 with zero slope from range_m on. range_m > 0; infinity: 1 everywhere.
 FN float window_attenuation(float distance_m, float range_m) {
-    float x2 = square(distance_m / range_m);
-    return square(saturate(1.0f - x2 * x2));
+    return window_of_square(square(distance_m / range_m));
 }
 
 // 1/m^2, from cd to lx at normal incidence: the inverse square with the light's size of 1 cm (Frostbite
 // equation 14) times the window. to_light: from the surface to the light, m, any length.
 FN float distance_attenuation(vec3 to_light, float range_m) {
     float distance2 = dot(to_light, to_light);
-    float x2 = distance2 / square(range_m);
-    return square(saturate(1.0f - x2 * x2)) / max(distance2, square(kPunctualMinDistance_m));
+    return window_of_square(distance2 / square(range_m)) / max(distance2, square(kPunctualMinDistance_m));
 }
 
 // Frostbite listing 4, getAngleAtt: 0 outside the outer cone, 1 inside the inner one, the square of a ramp in

@@ -11,7 +11,9 @@ CANDELA_SHADING_BEGIN
 CONSTANT int kDistanceSize = 16;
 
 // A probe in front of the surface counts for more than one behind it, which still counts for something: where all are
-// behind, something must remain. to_probe: unit.
+// behind, something must remain. to_probe: unit. Changed: 0.02 where the authors have 0.2. Through a wall of 6 cm half as much
+// leaks (cells of 1 m: 6e-5 of what its lit side has, against 1.1e-4), and the difference to path tracing is nearly the same
+// (mean FLIP 0.0743 against 0.0738 in cornell_room, 0.0819 against 0.0818 in two_rooms).
 FN float facing_weight(vec3 n, vec3 to_probe) { return square(0.5f * dot(n, to_probe) + 0.5f) + 0.02f; }
 
 // The part of a probe's view towards a point that reaches it: Chebyshev's inequality over the distances seen that way
@@ -29,21 +31,6 @@ FN float distance_visibility(float mean_m, float mean_square_m2, float distance_
 FN float probe_weight(float facing, float visibility) {
     float w = max(facing * visibility, 1.0e-6f);
     return w < 0.2f ? w * w * w / 0.04f : w;
-}
-
-// Beyond an edge the octahedron goes on along the same edge, mirrored.
-FN ivec2 octahedral_fold(ivec2 texel, int size) {
-    int x = texel.x;
-    int y = texel.y;
-    if (x < 0 || x >= size) {
-        x = clamp(x, 0, size - 1);
-        y = size - 1 - y;
-    }
-    if (y < 0 || y >= size) {
-        y = clamp(y, 0, size - 1);
-        x = size - 1 - x;
-    }
-    return ivec2(x, y);
 }
 
 // How much of a point's diffuse light the volume gives: all inside its box, nothing from fade_m outside on.

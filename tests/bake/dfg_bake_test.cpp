@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shading/dfg_uncorrelated.glsl"
+#include "shading/dfg.glsl"
 
 namespace candela {
 namespace {

@@ -9,9 +9,7 @@
 CANDELA_SHADING_BEGIN
 
 FN vec3 case_direction(float a, float b) {
-    float z = between(-1.0f, 1.0f, with_edges(a));
-    float r = sqrt(max(1.0f - z * z, 0.0f));
-    return vec3(r * cos(TWO_PI * b), r * sin(TWO_PI * b), z);
+    return case_direction_of(between(-1.0f, 1.0f, with_edges(a)), b);
 }
 FN vec3 case_center(float a, float b, float c) {
     return case_direction(a, b) * between(0.6f, 3.0f, c);

@@ -20,10 +20,9 @@ CANDELA_SHADING_BEGIN
 FN vec3 case_exposed(float a, float b, float c) {
     return vec3(exp2(between(-8.0f, 8.0f, a)), exp2(between(-8.0f, 8.0f, b)), exp2(between(-8.0f, 8.0f, c)));
 }
-FN vec3 case_sphere_direction(float a, float b) {
-    float y = between(-0.999f, 0.999f, a);
-    float r = sqrt(1.0f - y * y);
-    return vec3(r * cos(TWO_PI * b), y, r * sin(TWO_PI * b));
+FN vec3 case_direction_about_y(float a, float b) {
+    vec3 d = case_sphere_direction(a, b);
+    return vec3(d.x, d.z, d.y);
 }
 FN float case_infinity(float x) {
     return 1.0f / (x - x);
@@ -123,7 +122,7 @@ FN float case_web(vec3 direction, int width, int height) {
            taps.weight.w * case_web_node(taps.index.w, width, height);
 }
 FN vec4 case_photometric_taps(NUMBERS) {
-    vec3 direction = 3.0f * case_sphere_direction(u[0], u[1]);
+    vec3 direction = 3.0f * case_direction_about_y(u[0], u[1]);
     vec2 uv = photometric_uv(direction, 24, 37);
     return vec4(case_web(direction, 24, 37), case_web(direction, 1, 2), cos(TWO_PI * uv.x), uv.y);
 }
@@ -135,7 +134,7 @@ FN vec4 case_photometric_types(NUMBERS) {
     return vec4(a.x - b.x, a.y - b.y, a.x + 2.0f, a.y + 2.0f);
 }
 FN vec4 case_equirect_uv(NUMBERS) {
-    vec3 direction = case_sphere_direction(u[0], u[1]);
+    vec3 direction = case_direction_about_y(u[0], u[1]);
     vec2 uv = equirect_uv(direction);
     vec2 fast = equirect_uv_fast(direction);
     return vec4(uv.x, uv.y, fast.x, fast.y);

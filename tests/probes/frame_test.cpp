@@ -6,6 +6,7 @@
 #include "candela/truth/irradiance_bake.hpp"
 #include "common/contact_scenes.hpp"
 #include "realtime/render_scenes.hpp"
+#include "shading/spherical_harmonics.glsl"
 
 using namespace candela;
 using namespace candela::test;
@@ -97,27 +98,29 @@ TEST(IrradianceVolume, AWhiteSphereVanishesInAFurnace) {
 }
 
 // The light of a room does not come through its wall: a volume over both, probes of the lit room next to the
-// dark one.
+// dark one and none within the wall.
 TEST(IrradianceVolume, LightDoesNotLeakThroughAThinWall) {
-    scene::Scene s = bright_and_dark_room();
-    s.irradiance_volumes = {volume(glm::vec3(0.0f), {2.0f, 1.0f, 1.0f}, {9, 4, 4})};
-    s.irradiance_volumes = baked(s);
-    const gpu::Device device{validated()};
-    realtime::Renderer renderer(device, s, options("best", 32));
-    const auto mean = [&](const glm::vec3& eye, const glm::vec3& target) {
-        double sum = 0.0;
-        const realtime::Still still =
-            renderer.render_still(scene::look_at(eye, target, 1.2f), fixed_ev(3.0f));
-        for (const glm::vec4& nit : still.planes.light_nit) sum += double(nit.x);
-        return sum / double(still.planes.light_nit.size());
-    };
-    const double lit = mean({-0.2f, 0, 0}, {-2, -0.5f, 0});
-    const double lit_wall = mean({-1.8f, 0, 0}, {0, 0, 0});
-    const double dark_wall = mean({1.8f, 0, 0}, {0, 0, 0});
-    const double dark_corner = mean({1.5f, 0.5f, 0.5f}, {0, -1, -1});
-    EXPECT_GT(lit, 1.0);
-    EXPECT_LT(dark_wall, 0.003 * lit_wall);
-    EXPECT_LT(dark_corner, 0.003 * lit_wall);
+    for (const glm::ivec3& cells : {glm::ivec3(8, 4, 4), glm::ivec3(4, 2, 2)}) {
+        scene::Scene s = bright_and_dark_room();
+        s.irradiance_volumes = {volume(glm::vec3(0.0f), {2.0f, 1.0f, 1.0f}, cells)};
+        s.irradiance_volumes = baked(s);
+        const gpu::Device device{validated()};
+        realtime::Renderer renderer(device, s, options("best", 32));
+        const auto mean = [&](const glm::vec3& eye, const glm::vec3& target) {
+            double sum = 0.0;
+            const realtime::Still still =
+                renderer.render_still(scene::look_at(eye, target, 1.2f), fixed_ev(3.0f));
+            for (const glm::vec4& nit : still.planes.light_nit) sum += double(nit.x);
+            return sum / double(still.planes.light_nit.size());
+        };
+        const double lit = mean({-0.2f, 0, 0}, {-2, -0.5f, 0});
+        const double lit_wall = mean({-1.8f, 0, 0}, {0, 0, 0});
+        const double dark_wall = mean({1.8f, 0, 0}, {0, 0, 0});
+        const double dark_corner = mean({1.5f, 0.5f, 0.5f}, {0, -1, -1});
+        EXPECT_GT(lit, 1.0);
+        EXPECT_LT(dark_wall, 3e-4 * lit_wall) << cells.x;
+        EXPECT_LT(dark_corner, 3e-4 * lit_wall) << cells.x;
+    }
 }
 
 TEST(IrradianceVolume, TheSameBytesForAnyNumberOfThreads) {
@@ -212,6 +215,39 @@ TEST(ReflectionProbe, TheBorderOfItsInfluenceIsNoStep) {
     EXPECT_NEAR(row(size / 2), 100.0f, 1.5f);
     EXPECT_NEAR(row(1), 50.0f, 1.0f);
     for (std::uint32_t x = 2; x < size; ++x) EXPECT_LT(std::abs(row(x) - row(x - 1)), 10.0f) << x;
+}
+
+// In the middle of a probe a surface's own roughness says which level is read: (level / last)^2.
+TEST(ReflectionProbe, ReadsTheLevelsOfItsRoughness) {
+    scene::Scene s = metal_floor();
+    s.environment = constant(10.0f);
+    s.reflection_probes = {uniform_probe(2.0f, 1.0f, 1.0f)};
+    auto& levels = s.reflection_probes[0].capture.levels;
+    const std::array nit{100.0f, 200.0f, 400.0f};
+    ASSERT_EQ(levels.size(), nit.size());
+    for (std::size_t i = 0; i < nit.size(); ++i)
+        for (glm::vec4& texel : levels[i]) texel = glm::vec4(glm::vec3(nit[i]), 1.0f);
+    for (const float roughness : {0.09f, 0.3f, 0.64f}) {
+        s.materials[0].perceptual_roughness = roughness;
+        const float level = 2.0f * std::sqrt(roughness);
+        const float expected =
+            level < 1.0f ? glm::mix(nit[0], nit[1], level) : glm::mix(nit[1], nit[2], level - 1.0f);
+        const realtime::Still still = render(s, scene::look_at({0, 3, 0.01f}, {0, 0, 0}, 0.01f));
+        EXPECT_NEAR(center(still).x, expected, 0.02f * expected) << roughness;
+    }
+}
+
+// What captures are lit by: light that a probe has seen everywhere stays on a white floor.
+TEST(ReflectionProbe, UniformLightStaysOnDiffuseSurfaces) {
+    scene::Scene s = metal_floor();
+    s.materials[0] = grey(1.0f);
+    s.environment = constant(100.0f);
+    s.reflection_probes = {uniform_probe(1.0f, 100.0f, 0.6f)};
+    s.reflection_probes[0].margin_m = s.reflection_probes[0].fade_m = 0.4f;
+    const float basis = shading::sh_basis(0, glm::vec3(0.0f));
+    s.reflection_probes[0].capture.irradiance_sh[0] = glm::vec4(60.0f, 60.0f, 60.0f, 0.6f) / basis;
+    const realtime::Still still = render(s, scene::look_at({0, 3, 3}, {0, 0, 0}, 1.0f));
+    for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 100.0f, 1.5f);
 }
 
 TEST(ReflectionProbe, TheSmallerProbeIsAskedFirstAndTheSkyLast) {

@@ -5,10 +5,10 @@
 #include "shading/dominant_direction.glsl"
 #include "shading/octahedral.glsl"
 #include "shading/probes/composition.glsl"
-#include "shading/probes/harmonics.glsl"
 #include "shading/probes/parallax.glsl"
 #include "shading/probes/volume.glsl"
 #include "shading/sequence.glsl"
+#include "shading/spherical_harmonics.glsl"
 
 using namespace candela::shading;
 
@@ -151,11 +151,11 @@ TEST(Influence, IsWholeInsideNothingAtItsLimitAndSmoothBetween) {
 
 TEST(Harmonics, AreOrthonormal) {
     constexpr uint count = 20000;
-    for (int a = 0; a < kHarmonics; ++a) {
+    for (int a = 0; a < kShCoefficients; ++a) {
         for (int b = 0; b <= a; ++b) {
             double sum = 0.0;
             for (uint i = 0; i < count; ++i)
-                sum += double(harmonic(a, direction(i, count)) * harmonic(b, direction(i, count)));
+                sum += double(sh_basis(a, direction(i, count)) * sh_basis(b, direction(i, count)));
             EXPECT_NEAR(sum * 4.0 * double(PI) / count, a == b ? 1.0 : 0.0, 2e-3) << a << ' ' << b;
         }
     }
@@ -165,14 +165,14 @@ TEST(Harmonics, AreOrthonormal) {
 TEST(Harmonics, IrradianceOfSmoothLightIsExact) {
     const vec3 n = glm::normalize(vec3(0.3f, 0.8f, -0.5f));
     constexpr uint count = 40000;
-    for (int k = 0; k < kHarmonics; ++k) {
+    for (int k = 0; k < kShCoefficients; ++k) {
         double irradiance = 0.0;
         for (uint i = 0; i < count; ++i) {
             const vec3 l = direction(i, count);
-            irradiance += double(harmonic(k, l) * std::max(glm::dot(n, l), 0.0f));
+            irradiance += double(sh_basis(k, l) * std::max(glm::dot(n, l), 0.0f));
         }
         irradiance *= 4.0 / count;  // over pi
-        EXPECT_NEAR(irradiance, double(cosine_lobe(harmonic_band(k)) * harmonic(k, n)), 1e-3) << k;
+        EXPECT_NEAR(irradiance, double(sh_cosine_over_pi(k) * sh_basis(k, n)), 1e-3) << k;
     }
 }
 

@@ -109,6 +109,12 @@ TEST(LightImage, TheMomentIsThatOfTheIntegral) {
     EXPECT_LT(distance(found, vec3(sum)), 1e-3f * length(found));
 }
 
+// cos^4 is a half at the angle whose cosine is the fourth root of a half; the spot reaches twice its tangent.
+TEST(LightImage, TheSpotOfACosineIsWhereItHasFallenToAHalf) {
+    const float cosine2 = std::sqrt(0.5f);
+    EXPECT_NEAR(kCosineSpot, 2.0f * std::sqrt(1.0f / cosine2 - 1.0f), 0.02f);
+}
+
 TEST(LightImage, OneReadingIsNearTheIntegralAndMuchNearerThanTheMeanColour) {
     const ImagePyramid p = image_pyramid(picture());
     const vec3 mean = texel_of(p, pyramid_first_texel(p.size, 7));

@@ -30,6 +30,17 @@ FN float between(float low, float high, float x) {
     return low + (high - low) * x;
 }
 
+// A unit vector of this z.
+FN vec3 case_direction_of(float z, float turn) {
+    float r = sqrt(max(1.0f - z * z, 0.0f));
+    return vec3(r * cos(TWO_PI * turn), r * sin(TWO_PI * turn), z);
+}
+
+// Uniform on the sphere but for the poles, where angles have no digits.
+FN vec3 case_sphere_direction(float a, float b) {
+    return case_direction_of(between(-0.999f, 0.999f, a), b);
+}
+
 CANDELA_SHADING_END
 
 #endif

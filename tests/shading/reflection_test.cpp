@@ -124,6 +124,18 @@ TEST(StretchedReflection, HasTheMeanDirectionOfTheLobe) {
     EXPECT_GT(worst_mirror, 0.4);
 }
 
+// The lobe ends there, also of what was not fitted: f0 of nearly nothing, whose light is all Fresnel's rise.
+TEST(StretchedReflection, DoesNotLookBelowTheHorizon) {
+    for (const float roughness : kRoughness)
+        for (const float NoV : kCosines)
+            for (const float share : {0.0f, 0.3f, 0.7f, 1.0f})
+                for (const int count : {1, 2, 3})
+                    for (const LobeRead& read : reads_of(count, at_cosine(NoV, 1.0f), roughness, share)) {
+                        EXPECT_GE(read.direction.z, -1e-6f) << count << ' ' << roughness << ' ' << NoV;
+                        EXPECT_NEAR(length(read.direction), 1.0f, 1e-5f);
+                    }
+}
+
 TEST(FresnelShare, IsWhatTheRiseReflects) {
     EXPECT_FLOAT_EQ(fresnel_share(0.5f, 1.0f, vec2(0.4f, 0.1f)), 0.1f / 0.3f);
     EXPECT_EQ(fresnel_share(0.0f, 0.0f, vec2(0.4f, 0.1f)), 0.0f);

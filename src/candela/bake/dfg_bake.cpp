@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "shading/dfg_uncorrelated.glsl"
+#include "shading/dfg.glsl"
 
 namespace candela::bake {
 

@@ -8,6 +8,7 @@
 #include "candela/bake/filter_octahedral.hpp"
 #include "candela/bake/octahedral_map.hpp"
 #include "candela/scene/environment_sources.hpp"
+#include "candela/scene/half_range.hpp"
 #include "candela_shaders/prefilter_comp.hpp"
 #include "shading/microfacet.glsl"
 #include "shading/specular_levels.glsl"
@@ -147,8 +148,7 @@ EnvironmentMaps prefilter_environment(const gpu::Device& device, gpu::Commands& 
                                       const scene::Environment& e, Prefilter where) {
     EnvironmentMaps maps;
     // Scaled so that the brightest texel is far from float's end when it is squared or summed on the way.
-    const float peak_nit = peak_of(e);
-    maps.nit_per_unit = peak_nit > 60000.0f ? peak_nit / 60000.0f : 1.0f;
+    maps.nit_per_unit = scene::unit_for_half(peak_of(e));
     const float units_per_nit = e.scale / maps.nit_per_unit;
     maps.background = upload_background(device, commands, e, units_per_nit);
     if (where == Prefilter::processor) {

@@ -11,13 +11,11 @@
 #include "candela/bake/filter_sampled.hpp"
 #include "candela/bake/irradiance_harmonics.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/half_range.hpp"
 #include "shading/microfacet.glsl"
 
 namespace candela::bake {
 namespace {
-
-/// Below the largest half float, with room for what interpolation overshoots.
-constexpr float kLargestUnit = 60000.0f;
 
 constexpr std::array<const char*, 4> kNames{"harmonic", "filtered-importance", "ggx-importance",
                                             "cosine-power"};
@@ -139,8 +137,8 @@ class Filter {
             for (const glm::vec3& texel : cube.texels)
                 peak = std::max(peak, std::max(texel.x, std::max(texel.y, texel.z)));
         }
-        if (peak <= kLargestUnit) return;
-        out.nit_per_unit = peak / kLargestUnit;
+        out.nit_per_unit = scene::unit_for_half(peak);
+        if (out.nit_per_unit == 1.0f) return;
         const float scale = 1.0f / out.nit_per_unit;
         for (scene::CubeMap& cube : out.specular) {
             for (glm::vec3& texel : cube.texels) texel *= scale;

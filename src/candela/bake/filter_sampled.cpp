@@ -1,10 +1,9 @@
 #include "candela/bake/filter_sampled.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "candela/bake/cube_texels.hpp"
 #include "shading/basis.glsl"
 #include "shading/cube.glsl"
 #include "shading/environment_filter.glsl"
@@ -41,29 +40,12 @@ std::vector<Sample> ggx_samples(const CubePyramid& source, float alpha, std::uin
     return samples;
 }
 
-/// Calls value(direction) for each texel's centre.
-template <class Value>
-scene::CubeMap for_texels(std::uint32_t size, const Value& value) {
-    scene::CubeMap cube;
-    cube.size = size;
-    cube.texels.resize(std::size_t{6} * size * size);
-    tbb::parallel_for(0u, 6 * size, [&](std::uint32_t row) {
-        for (std::uint32_t x = 0; x < size; ++x) {
-            const std::uint32_t face = row / size;
-            const glm::vec2 uv = (glm::vec2(x, row % size) + 0.5f) / static_cast<float>(size);
-            cube.texels[cube.index(face, x, row % size)] =
-                value(glm::normalize(shading::cube_point(static_cast<int>(face), uv)));
-        }
-    });
-    return cube;
-}
-
 }  // namespace
 
 scene::CubeMap ggx_samples_cube(const CubePyramid& source, float alpha, std::uint32_t size,
                                 std::uint32_t sample_count, bool filtered) {
     const std::vector<Sample> samples = ggx_samples(source, alpha, sample_count, filtered);
-    return for_texels(size, [&](const glm::vec3& n) {
+    return cube_of_directions(size, [&](const glm::vec3& n) {
         glm::vec3 t;
         glm::vec3 b;
         shading::orthonormal_basis(n, t, b);
@@ -123,7 +105,7 @@ scene::CubeMap cosine_power_cube(const CubePyramid& source, float alpha, std::ui
     for (const Bundle& bundle : bundles)
         least_axis_cosines.push_back(
             std::cos(std::min(std::acos(least_cosine) + bundle.half_angle, shading::PI)) - 1.0e-4f);
-    return for_texels(size, [&](const glm::vec3& n) {
+    return cube_of_directions(size, [&](const glm::vec3& n) {
         glm::vec3 sum(0.0f);
         float total = 0.0f;
         for (std::size_t i = 0; i < bundles.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shading/environment_filter.glsl"
+#include "shading/environment.glsl"
 #include "shading/spherical_harmonics.glsl"
 
 namespace candela::bake {
@@ -14,27 +14,32 @@ void project(Sh9& sh, const glm::vec3& direction, const glm::vec3& value) {
         sh[i] += value * shading::sh_basis(static_cast<int>(i), direction);
 }
 
-Sh9 windowed(const Sh9& sh, float lambda) {
-    Sh9 out = sh;
-    for (std::size_t i = 0; i < sh.size(); ++i) out[i] *= shading::sh_window(static_cast<int>(i), lambda);
-    return out;
-}
-
-/// Over directions dense enough for functions of degree 2; as a share of the mean.
-float least_over_mean(const Sh9& sh) {
-    float least = 1.0f;
+/// The parts of each degree in directions dense enough for functions of degree 2, as shares of the mean.
+std::vector<glm::vec3> degrees_over_mean(const Sh9& sh) {
+    std::vector<glm::vec3> out;
     constexpr int rows = 48;
     for (int y = 0; y <= rows; ++y) {
         for (int x = 0; x < 2 * rows; ++x) {
-            const glm::vec3 value =
-                evaluate_sh(sh, shading::equirect_direction(
-                                    {static_cast<float>(x) / (2.0f * rows), static_cast<float>(y) / rows}));
+            const glm::vec3 d = shading::equirect_direction(
+                {static_cast<float>(x) / (2.0f * rows), static_cast<float>(y) / rows});
+            std::array<glm::vec3, 3> degrees{};
+            for (int i = 0; i < shading::kShCoefficients; ++i)
+                degrees[i == 0 ? 0 : (i < 4 ? 1 : 2)] +=
+                    sh[static_cast<std::size_t>(i)] * shading::sh_basis(i, d);
             for (int c = 0; c < 3; ++c) {
-                const float mean = sh[0][c] * shading::sh_basis(0, {});
-                if (mean > 0.0f) least = std::min(least, value[c] / mean);
+                if (degrees[0][c] > 0.0f)
+                    out.emplace_back(1.0f, degrees[1][c] / degrees[0][c], degrees[2][c] / degrees[0][c]);
             }
         }
     }
+    return out;
+}
+
+float least_windowed(const std::vector<glm::vec3>& degrees, float lambda) {
+    const glm::vec3 window(shading::sh_window(0, lambda), shading::sh_window(1, lambda),
+                           shading::sh_window(4, lambda));
+    float least = 1.0f;
+    for (const glm::vec3& d : degrees) least = std::min(least, glm::dot(window, d));
     return least;
 }
 
@@ -74,15 +79,16 @@ glm::vec3 evaluate_sh(const Sh9& sh, const glm::vec3& direction) {
 float window_negative(Sh9& sh) {
     // Rounding of a black half is not worth a window.
     constexpr float least = -1.0e-5f;
-    if (least_over_mean(sh) >= least) return 0.0f;
+    const std::vector<glm::vec3> degrees = degrees_over_mean(sh);
+    if (least_windowed(degrees, 0.0f) >= least) return 0.0f;
     float low = 0.0f;
     float high = 1.0f;
-    while (least_over_mean(windowed(sh, high)) < 0.0f) high *= 2.0f;
+    while (least_windowed(degrees, high) < 0.0f) high *= 2.0f;
     for (int i = 0; i < 20; ++i) {
         const float middle = 0.5f * (low + high);
-        (least_over_mean(windowed(sh, middle)) < 0.0f ? low : high) = middle;
+        (least_windowed(degrees, middle) < 0.0f ? low : high) = middle;
     }
-    sh = windowed(sh, high);
+    for (std::size_t i = 0; i < sh.size(); ++i) sh[i] *= shading::sh_window(static_cast<int>(i), high);
     return high;
 }
 

@@ -7,14 +7,13 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "candela/bake/least_squares.hpp"
 #include "candela/bake/lobe_measure.hpp"
 
 namespace candela::bake {
 namespace {
 
-constexpr int kTerms = 12;
-constexpr int kRounds = 60;
-
+constexpr std::size_t kTerms = 12;
 std::array<double, kTerms> terms_of(const LobeView& view) {
     const shading::LobeBasis b = shading::lobe_basis(
         view.v.z, view.perceptual_roughness,
@@ -68,20 +67,14 @@ Restraint restraint(const LobeView& view, std::size_t count, std::size_t k, doub
     return {};
 }
 
-/// Sum of squares with its gradient and the Gauss-Newton matrix, over unknowns k * kTerms + term.
-struct Normal {
-    double error = 0.0;
-    std::vector<double> gradient;
-    std::vector<double> matrix;
-};
-
-/// What one view adds; the derivatives are by the values, those by the coefficients follow from the terms.
-Normal normal_of(const LobeView& view, const LobeCoefficients& coefficients, bool with_matrix) {
+/// What one view adds, over unknowns k * kTerms + term; the derivatives are by the values, those by the
+/// coefficients follow from the terms.
+NormalEquations normal_of(const LobeView& view, const LobeCoefficients& coefficients, bool with_matrix) {
     const std::array<double, kTerms> terms = terms_of(view);
     const Values values = values_of(coefficients, terms);
     const std::size_t count = (values.size() + 1) / 3;
     const std::vector<double> at = lobe_differences(view, reads_of(view, values));
-    Normal out;
+    NormalEquations out;
     for (const double d : at) out.error += d * d;
     for (std::size_t k = 0; k < values.size(); ++k) {
         const Restraint r = restraint(view, count, k, values[k]);
@@ -123,46 +116,26 @@ Normal normal_of(const LobeView& view, const LobeCoefficients& coefficients, boo
     return out;
 }
 
-Normal sum_over_views(const LobeCoefficients& coefficients, bool with_matrix) {
+NormalEquations sum_over_views(const LobeCoefficients& coefficients, bool with_matrix) {
     const std::vector<LobeView>& views = lobe_views();
-    std::vector<Normal> parts(views.size());
+    std::vector<NormalEquations> parts(views.size());
     tbb::parallel_for(std::size_t{0}, views.size(),
                       [&](std::size_t i) { parts[i] = normal_of(views[i], coefficients, with_matrix); });
-    Normal out = std::move(parts.front());
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        out.error += parts[i].error;
-        for (std::size_t k = 0; k < out.gradient.size(); ++k) out.gradient[k] += parts[i].gradient[k];
-        for (std::size_t k = 0; k < out.matrix.size(); ++k) out.matrix[k] += parts[i].matrix[k];
-    }
+    NormalEquations out = std::move(parts.front());
+    for (std::size_t i = 1; i < parts.size(); ++i) out += parts[i];
     return out;
 }
 
-/// Gauss's elimination with row pivots.
-std::vector<double> solve(std::vector<double> a, std::vector<double> b) {
-    const std::size_t n = b.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        std::size_t pivot = i;
-        for (std::size_t row = i + 1; row < n; ++row)
-            if (std::abs(a[row * n + i]) > std::abs(a[pivot * n + i])) pivot = row;
-        for (std::size_t k = 0; k < n; ++k) std::swap(a[i * n + k], a[pivot * n + k]);
-        std::swap(b[i], b[pivot]);
-        for (std::size_t row = i + 1; row < n; ++row) {
-            const double factor = a[row * n + i] / a[i * n + i];
-            for (std::size_t k = i; k < n; ++k) a[row * n + k] -= factor * a[i * n + k];
-            b[row] -= factor * b[i];
-        }
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[i * n + k] * b[k];
-        b[i] /= a[i * n + i];
-    }
-    return b;
+LobeCoefficients coefficients_of(const std::vector<double>& unknowns) {
+    LobeCoefficients out(unknowns.size() / kTerms);
+    for (std::size_t k = 0; k < unknowns.size(); ++k) out[k / kTerms][k % kTerms] = unknowns[k];
+    return out;
 }
 
-LobeCoefficients moved(LobeCoefficients coefficients, const std::vector<double>& step) {
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-        for (std::size_t i = 0; i < kTerms; ++i) coefficients[k][i] -= step[k * kTerms + i];
-    return coefficients;
+std::vector<double> unknowns_of(const LobeCoefficients& coefficients) {
+    std::vector<double> out;
+    for (const auto& row : coefficients) out.insert(out.end(), row.begin(), row.end());
+    return out;
 }
 
 /// Reads side by side along the lobe, which leans towards the normal as masking sets in.
@@ -179,35 +152,36 @@ LobeCoefficients start(int reads) {
 }  // namespace
 
 LobeFit fit_lobe_reads(int reads) {
-    LobeFit fit{start(reads), {}};
-    double damping = 1.0e-3;
-    double error = sum_over_views(fit.coefficients, false).error;
-    bool better = true;
-    for (int round = 0; round < kRounds && better; ++round) {
-        const Normal at = sum_over_views(fit.coefficients, true);
-        better = false;
-        for (int attempt = 0; attempt < 8 && !better; ++attempt) {
-            std::vector<double> damped = at.matrix;
-            const std::size_t n = at.gradient.size();
-            for (std::size_t i = 0; i < n; ++i) damped[i * n + i] += damping * at.matrix[i * n + i] + 1.0e-9;
-            const LobeCoefficients next = moved(fit.coefficients, solve(std::move(damped), at.gradient));
-            const double next_error = sum_over_views(next, false).error;
-            if (!(next_error < error)) {
-                damping *= 5.0;
-                continue;
-            }
-            better = error - next_error > 1.0e-6 * error;
-            error = next_error;
-            fit.coefficients = next;
-            damping = std::max(0.2 * damping, 1.0e-9);
-            if (!better) break;
-        }
-    }
+    LobeFit fit;
+    fit.coefficients = coefficients_of(
+        least_squares(unknowns_of(start(reads)), [](const std::vector<double>& unknowns, bool with_matrix) {
+            return sum_over_views(coefficients_of(unknowns), with_matrix);
+        }));
     ErrorOfViews errors;
     for (const LobeView& view : lobe_views())
         errors.add(lobe_distance(view, reads_of(view, values_of(fit.coefficients, terms_of(view)))));
     fit.errors = errors.result();
     return fit;
+}
+
+std::vector<shading::LobeRead> committed_lobe_reads(int count, const glm::vec3& n, const glm::vec3& v,
+                                                    float NoV, float perceptual_roughness,
+                                                    float fresnel_share) {
+    std::vector<shading::LobeRead> out(static_cast<std::size_t>(count));
+    if (count == 1) out[0] = shading::fitted_reflection(n, v, NoV, perceptual_roughness, fresnel_share);
+    if (count == 2)
+        shading::stretched_reflection_2(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1]);
+    if (count == 3)
+        shading::stretched_reflection_3(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1],
+                                        out[2]);
+    return out;
+}
+
+LobeErrors committed_lobe_errors(int reads) {
+    return lobe_errors(
+        [reads](const glm::vec3& n, const glm::vec3& v, float perceptual_roughness, float share) {
+            return committed_lobe_reads(reads, n, v, v.z, perceptual_roughness, share);
+        });
 }
 
 LobeErrors lobe_errors(const LobeReads& reads) {

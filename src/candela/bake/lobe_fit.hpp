@@ -31,6 +31,13 @@ struct LobeErrors {
 /// Error for one view; NoV in (0,1].
 [[nodiscard]] double lobe_error(const LobeReads& reads, float NoV, float perceptual_roughness, float f0);
 
+/// The reads of shading/stretched_reflection.glsl, 1 to 3 of them, as they are.
+[[nodiscard]] std::vector<shading::LobeRead> committed_lobe_reads(int reads, const glm::vec3& n,
+                                                                  const glm::vec3& v, float NoV,
+                                                                  float perceptual_roughness,
+                                                                  float fresnel_share);
+[[nodiscard]] LobeErrors committed_lobe_errors(int reads);
+
 /// Coefficients of lobe_polynomial, in the order of its vectors, by what they are of: tilt and width of each
 /// read in turn, then the logarithms of the weights of all but the last read over that of the last.
 using LobeCoefficients = std::vector<std::array<double, 12>>;

@@ -87,13 +87,8 @@ const KernelTable& kernels() {
     return *table;
 }
 
-struct Sample {
-    glm::dvec3 l;
-    double weight;
-};
-
 struct LobeSamples {
-    std::vector<Sample> points;  ///< of half an azimuth; their weights add up to 1
+    std::vector<LobeSample> points;  ///< of half an azimuth; their weights add up to 1
     double fresnel_share = 0.0;
 };
 
@@ -122,37 +117,33 @@ LobeSamples lobe_samples(const glm::vec3& v, float alpha, float f0) {
             risen += weight * std::pow(1.0 - VoH, 5);
         }
     }
-    for (Sample& s : out.points) s.weight /= sum;
+    for (LobeSample& s : out.points) s.weight /= sum;
     // Of f0 dfg.x + dfg.y (integrate_ggx_albedo) the second.
     out.fresnel_share = risen / sum;
     return out;
 }
 
-/// The mean over both halves of the azimuth.
-double seen_by_lobe(const std::vector<Sample>& samples, const glm::dvec3& centre, double width) {
+double seen_by_lobe(const std::vector<LobeSample>& samples, LobeSide side, const glm::dvec3& centre,
+                    double width) {
     const double sharpness = 1.0 / (width * width);
     double sum = 0.0;
-    for (const Sample& s : samples) {
+    for (const LobeSample& s : samples) {
         const double in_plane = s.l.x * centre.x + s.l.z * centre.z - 1.0;
         const double across = s.l.y * centre.y;
-        sum += 0.5 * s.weight *
-               (std::exp((in_plane + across) * sharpness) + std::exp((in_plane - across) * sharpness));
+        const double seen = std::exp((in_plane + across) * sharpness);
+        sum += side == LobeSide::both ? s.weight * seen
+                                      : 0.5 * s.weight * (seen + std::exp((in_plane - across) * sharpness));
     }
     return sum;
 }
 
 }  // namespace
 
-LobeView lobe_view(float NoV, float perceptual_roughness, float f0) {
+LobeView sampled_lobe_view(const glm::vec3& v, const glm::dvec3& middle, double scale_rad,
+                           const std::vector<LobeSample>& samples, LobeSide side) {
     LobeView view;
-    view.v = {-std::sqrt((1.0f - NoV) * (1.0f + NoV)), 0.0f, NoV};
-    view.perceptual_roughness = perceptual_roughness;
-    const float alpha = shading::alpha_from_perceptual_roughness(perceptual_roughness);
-    const LobeSamples samples = lobe_samples(view.v, alpha, f0);
-    view.fresnel_share = float(samples.fresnel_share);
-    const glm::dvec3 mirror(-double(view.v.x), 0.0, double(NoV));
-    const glm::dvec3 along(double(NoV), 0.0, double(view.v.x));
-    const double scale_rad = std::max(2.0 * double(alpha), 0.016);
+    view.v = v;
+    const glm::dvec3 along(middle.z, 0.0, -middle.x);
     double squares = 0.0;
     for (std::size_t octave = 0; octave < kOctaves; ++octave) {
         const double width = width_rad(octave);
@@ -161,20 +152,32 @@ LobeView lobe_view(float NoV, float perceptual_roughness, float f0) {
         const double reach = std::max(6.0 * scale_rad, 3.0 * width);
         const int count = int(std::min(M_PI, std::max(3.0 * scale_rad, 2.0 * width)) / width) + 1;
         for (int i = -count; i <= count; ++i) {
-            for (int j = 0; j <= count; ++j) {
+            for (int j = side == LobeSide::one ? 0 : -count; j <= count; ++j) {
                 const double angle = std::hypot(i, j) * width;
                 if (angle > std::min(reach, 3.0)) continue;
                 const double per_angle = angle > 0.0 ? std::sin(angle) / angle : 1.0;
-                const glm::dvec3 centre = std::cos(angle) * mirror +
+                const glm::dvec3 centre = std::cos(angle) * middle +
                                           per_angle * width * (double(i) * along + glm::dvec3(0.0, j, 0.0));
-                LobeBump bump{octave, centre, per_angle * (j == 0 ? 1.0 : 2.0), 0.0};
-                bump.seen = seen_by_lobe(samples.points, centre, width);
+                const bool twice = side == LobeSide::one && j > 0;
+                LobeBump bump{octave, centre, per_angle * (twice ? 2.0 : 1.0), 0.0};
+                bump.seen = seen_by_lobe(samples, side, centre, width);
                 squares += bump.weight * bump.seen * bump.seen;
                 view.bumps.push_back(bump);
             }
         }
     }
     view.norm = std::sqrt(squares);
+    return view;
+}
+
+LobeView lobe_view(float NoV, float perceptual_roughness, float f0) {
+    const glm::vec3 v(-std::sqrt((1.0f - NoV) * (1.0f + NoV)), 0.0f, NoV);
+    const float alpha = shading::alpha_from_perceptual_roughness(perceptual_roughness);
+    const LobeSamples samples = lobe_samples(v, alpha, f0);
+    LobeView view = sampled_lobe_view(v, {-double(v.x), 0.0, double(NoV)},
+                                      std::max(2.0 * double(alpha), 0.016), samples.points, LobeSide::one);
+    view.perceptual_roughness = perceptual_roughness;
+    view.fresnel_share = float(samples.fresnel_share);
     return view;
 }
 

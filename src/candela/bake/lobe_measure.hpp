@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -25,6 +26,20 @@ struct LobeView {
     std::vector<LobeBump> bumps;
     double norm = 0.0;  ///< root of the weighted sum of squares of what the lobe sees
 };
+
+/// A direction in which a lobe about +Z sends light, and how much; the weights of all add up to 1.
+struct LobeSample {
+    glm::dvec3 l;
+    double weight = 0.0;
+};
+
+/// What a lobe is sampled by: all of it, or one half of one that is the same on both sides of the xz plane.
+enum class LobeSide : std::uint8_t { both, one };
+
+/// Any lobe seen from v. middle: unit, in the xz plane, about which the bumps stand as far as a lobe of this
+/// scale asks for, and as fine.
+[[nodiscard]] LobeView sampled_lobe_view(const glm::vec3& v, const glm::dvec3& middle, double scale_rad,
+                                         const std::vector<LobeSample>& samples, LobeSide side);
 
 [[nodiscard]] LobeView lobe_view(float NoV, float perceptual_roughness, float f0);
 /// Those of lobe_errors() and of the fit.

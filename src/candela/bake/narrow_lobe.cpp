@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "candela/bake/cube_texels.hpp"
 #include "candela/bake/filter_harmonic.hpp"
 #include "shading/basis.glsl"
 #include "shading/cube.glsl"
@@ -114,22 +115,14 @@ scene::CubeMap narrow_cube(const EquirectLight& light, const CubePyramid& smooth
     std::uint32_t own_level = 0;
     while ((smooth.size() >> own_level) > size) ++own_level;
     const std::vector<Point> points = lobe_points(alpha, smooth.size(), own_level);
-    scene::CubeMap cube;
-    cube.size = size;
-    cube.texels.resize(std::size_t{6} * size * size);
-    tbb::parallel_for(0u, 6 * size, [&](std::uint32_t row) {
-        for (std::uint32_t x = 0; x < size; ++x) {
-            const std::uint32_t face = row / size;
-            const glm::vec2 uv = (glm::vec2(x, row % size) + 0.5f) / static_cast<float>(size);
-            const glm::vec3 n = glm::normalize(shading::cube_point(static_cast<int>(face), uv));
-            glm::vec3 t;
-            glm::vec3 b;
-            shading::orthonormal_basis(n, t, b);
-            glm::vec4 sum(0.0f);
-            for (const Point& point : points)
-                sum += point.weight * smooth.read(shading::to_world(point.local, t, b, n), point.level);
-            cube.texels[cube.index(face, x, row % size)] = glm::vec3(sum);
-        }
+    scene::CubeMap cube = cube_of_directions(size, [&](const glm::vec3& n) {
+        glm::vec3 t;
+        glm::vec3 b;
+        shading::orthonormal_basis(n, t, b);
+        glm::vec4 sum(0.0f);
+        for (const Point& point : points)
+            sum += point.weight * smooth.read(shading::to_world(point.local, t, b, n), point.level);
+        return glm::vec3(sum);
     });
     for (const LightPeak& peak : light.peaks) add_peak(cube, peak, light.rotation_rad, alpha);
     return cube;

@@ -68,20 +68,20 @@ class Splatter {
 }  // namespace
 
 void fill_gutters(OctahedralMap& map) {
-    const std::uint32_t n = map.size;
-    const auto at = [&](std::uint32_t x, std::uint32_t y) -> glm::vec4& {
-        return map.texels[std::size_t{y} * n + x];
+    const auto size = static_cast<int>(map.size);
+    const auto at = [&](int x, int y) -> glm::vec4& {
+        return map.texels[static_cast<std::size_t>(y) * map.size + static_cast<std::size_t>(x)];
     };
-    for (std::uint32_t i = 1; i + 1 < n; ++i) {
-        at(i, 0) = at(n - 1 - i, 1);
-        at(i, n - 1) = at(n - 1 - i, n - 2);
-        at(0, i) = at(1, n - 1 - i);
-        at(n - 1, i) = at(n - 2, n - 1 - i);
+    const auto fill = [&](int x, int y) {
+        const glm::ivec2 from = shading::octahedral_fold({x - 1, y - 1}, size - 2);
+        at(x, y) = at(from.x + 1, from.y + 1);
+    };
+    for (int i = 0; i < size; ++i) {
+        fill(i, 0);
+        fill(i, size - 1);
+        fill(0, i);
+        fill(size - 1, i);
     }
-    at(0, 0) = at(n - 2, n - 2);
-    at(n - 1, 0) = at(1, n - 2);
-    at(0, n - 1) = at(n - 2, 1);
-    at(n - 1, n - 1) = at(1, 1);
 }
 
 glm::vec3 OctahedralMap::direction(std::uint32_t x, std::uint32_t y) const {

@@ -5,10 +5,11 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "candela/bake/cube_pyramid.hpp"
 #include "candela/bake/environment.hpp"
 #include "candela_shaders/probe_maps_comp.hpp"
 #include "shading/environment.glsl"
-#include "shading/probes/harmonics.glsl"
+#include "shading/spherical_harmonics.glsl"
 
 namespace candela::bake {
 namespace {
@@ -112,20 +113,17 @@ std::array<glm::vec4, 9> probe_irradiance_sh(const ProbeFaces& faces) {
         for (std::uint32_t y = 0; y < faces.size; ++y) {
             for (std::uint32_t x = 0; x < faces.size; ++x) {
                 const glm::vec2 at((float(x) + 0.5f) * step - 1.0f, 1.0f - (float(y) + 0.5f) * step);
-                const glm::vec3 ray = a.forward + at.x * a.right + at.y * a.up;
-                const float length = glm::length(ray);
-                const double solid_angle = double(step * step / (length * length * length));
+                const glm::vec3 d = glm::normalize(a.forward + at.x * a.right + at.y * a.up);
+                const double solid_angle = cube_texel_sr(x, y, faces.size);
                 const glm::dvec4 value(faces.faces[f][std::size_t{y} * faces.size + x]);
-                for (int k = 0; k < shading::kHarmonics; ++k)
-                    sums[std::size_t(k)] +=
-                        value * (solid_angle * double(shading::harmonic(k, ray / length)));
+                for (int k = 0; k < shading::kShCoefficients; ++k)
+                    sums[std::size_t(k)] += value * (solid_angle * double(shading::sh_basis(k, d)));
             }
         }
     }
     std::array<glm::vec4, 9> out;
-    for (int k = 0; k < shading::kHarmonics; ++k) {
-        out[std::size_t(k)] =
-            glm::vec4(sums[std::size_t(k)] * double(shading::cosine_lobe(shading::harmonic_band(k))));
+    for (int k = 0; k < shading::kShCoefficients; ++k) {
+        out[std::size_t(k)] = glm::vec4(sums[std::size_t(k)] * double(shading::sh_cosine_over_pi(k)));
     }
     return out;
 }

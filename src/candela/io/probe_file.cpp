@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "candela/scene/half_range.hpp"
 #include "shading/probes/volume.glsl"
 
 namespace candela::io {
@@ -13,7 +14,6 @@ namespace {
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kIrradianceMagic = 0x56524943;  // "CIRV"
 constexpr std::uint32_t kCaptureMagic = 0x42525043;     // "CPRB"
-constexpr float kLargestHalf = 60000.0f;
 constexpr std::uint32_t kLargestMap = 4096;
 constexpr auto kDistanceTexels = static_cast<std::uint32_t>(shading::kDistanceSize * shading::kDistanceSize);
 
@@ -55,10 +55,6 @@ class Reader {
     bool good_ = true;
 };
 
-float unit_for(float peak) {
-    return peak > kLargestHalf ? peak / kLargestHalf : 1.0f;
-}
-
 void write_head(Writer& out, std::uint32_t magic, std::uint64_t key, std::size_t count) {
     out.raw(magic);
     out.raw(kVersion);
@@ -77,7 +73,7 @@ void write_volume(Writer& out, const scene::IrradianceVolume& v) {
         for (const glm::vec3& c : probe.irradiance_sh)
             peak = std::max({peak, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
     }
-    const float unit = unit_for(peak);
+    const float unit = scene::unit_for_half(peak);
     out.raw(v.cells);
     out.raw(unit);
     for (const auto& probe : v.probes) {
@@ -118,7 +114,7 @@ void write_capture(Writer& out, const scene::ProbeCapture& c) {
     for (const auto& level : c.levels) {
         for (const glm::vec4& t : level) peak = std::max({peak, t.x, t.y, t.z});
     }
-    const float unit = unit_for(peak);
+    const float unit = scene::unit_for_half(peak);
     out.raw(c.size);
     out.raw(static_cast<std::uint32_t>(c.levels.size()));
     out.raw(unit);

@@ -14,10 +14,6 @@
 namespace candela::measure {
 namespace {
 
-double luminance(const glm::dvec3& rgb) {
-    return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
-}
-
 float alpha_of(scene::RoughnessMapping mapping, std::uint32_t level, std::uint32_t levels) {
     return shading::alpha_from_perceptual_roughness(
         scene::perceptual_roughness_of_level(mapping, level, levels));
@@ -28,7 +24,7 @@ double source_energy(const scene::Environment& e) {
     for (std::uint32_t y = 0; y < e.height; ++y) {
         double row = 0.0;
         for (std::uint32_t x = 0; x < e.width; ++x)
-            row += luminance(glm::dvec3(e.luminance_nit[std::size_t{y} * e.width + x]));
+            row += shading::luminance(glm::dvec3(e.luminance_nit[std::size_t{y} * e.width + x]));
         sum += row * double(shading::equirect_texel_solid_angle(y, e.width, e.height));
     }
     return sum * double(e.scale);
@@ -59,9 +55,9 @@ FilterTruth filter_truth(const scene::Environment& environment, std::uint32_t si
         tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
             FilterTruth::Place& place = places[i];
             const glm::vec2 uv = (glm::vec2(place.x, place.y) + 0.5f) / static_cast<float>(side);
-            place.luminance_nit =
-                luminance(reference.ld(glm::normalize(shading::cube_point(static_cast<int>(place.face), uv)),
-                                       alpha_of(mapping, level, levels)));
+            place.luminance_nit = shading::luminance(
+                reference.ld(glm::normalize(shading::cube_point(static_cast<int>(place.face), uv)),
+                             alpha_of(mapping, level, levels)));
         });
         truth.levels.push_back(std::move(places));
     }
@@ -77,12 +73,12 @@ std::vector<LevelError> filter_errors(const FilterTruth& truth, const scene::Fil
         error.size = cube.size;
         error.alpha = alpha_of(filtered.mapping, level, levels);
         error.energy_ratio =
-            luminance(bake::cube_energy(cube)) * double(filtered.nit_per_unit) / truth.energy;
+            shading::luminance(bake::cube_energy(cube)) * double(filtered.nit_per_unit) / truth.energy;
         double squares = 0.0;
         double truth_squares = 0.0;
         for (const FilterTruth::Place& place : truth.levels[level - 1]) {
             const double value =
-                luminance(glm::dvec3(cube.texels[cube.index(place.face, place.x, place.y)])) *
+                shading::luminance(glm::dvec3(cube.texels[cube.index(place.face, place.x, place.y)])) *
                 double(filtered.nit_per_unit);
             const double difference = value - place.luminance_nit;
             squares += difference * difference;

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "candela/bake/lobe_fit.hpp"
 #include "candela/measure/numerics.hpp"
 #include "shading/basis.glsl"
 #include "shading/dominant_direction.glsl"
@@ -43,7 +44,7 @@ auto fitted_reads(int count) {
         vec3 sum(0.0f);
         const float share = fresnel_share(s.f0, 1.0f, dfg_table().read(NoV, s.perceptual_roughness));
         for (const LobeRead& read :
-             lobe_reads_of(count, frame.n, frame.v, NoV, s.perceptual_roughness, share))
+             bake::committed_lobe_reads(count, frame.n, frame.v, NoV, s.perceptual_roughness, share))
             sum += read.weight *
                    light.prefiltered(read.direction, read.perceptual_roughness, s.prefilter_samples);
         return sum * reflectance(s, NoV);
@@ -58,16 +59,6 @@ double cost_of(F f) {
 }
 
 }  // namespace
-
-std::vector<shading::LobeRead> lobe_reads_of(int count, const glm::vec3& n, const glm::vec3& v, float NoV,
-                                             float perceptual_roughness, float fresnel_share) {
-    std::vector<LobeRead> out(static_cast<std::size_t>(count));
-    if (count == 1) out[0] = fitted_reflection(n, v, NoV, perceptual_roughness, fresnel_share);
-    if (count == 2) stretched_reflection_2(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1]);
-    if (count == 3)
-        stretched_reflection_3(n, v, NoV, perceptual_roughness, fresnel_share, out[0], out[1], out[2]);
-    return out;
-}
 
 std::vector<ReflectionTechnique> direction_techniques() {
     const char* const own = "own fit, shading/stretched_reflection.glsl";

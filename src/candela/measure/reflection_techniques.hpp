@@ -37,9 +37,4 @@ struct ReflectionTechnique {
 [[nodiscard]] glm::vec3 reflected_truth(const ImageLight& light, const ReceiverFrame& frame,
                                         const GlossySurface& surface, int samples);
 
-/// Reads of each technique of the slot `reflection`, for plots of where they are.
-[[nodiscard]] std::vector<shading::LobeRead> lobe_reads_of(int count, const glm::vec3& n, const glm::vec3& v,
-                                                           float NoV, float perceptual_roughness,
-                                                           float fresnel_share);
-
 }  // namespace candela::measure

@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <glm/matrix.hpp>
 
+#include "candela/scene/half_range.hpp"
 #include "shading/probes/volume.glsl"
 
 namespace candela::realtime {
@@ -14,8 +15,6 @@ namespace {
 constexpr std::uint32_t kHeaderQuads = 2;
 constexpr std::uint32_t kProbeQuads = 15;
 constexpr std::uint32_t kVolumeQuads = 6;
-/// Half floats end at 65504; what is brighter is kept as a share of the brightest.
-constexpr float kLargestHalf = 60000.0f;
 
 /// Quads of four words, written in the order in which the shader finds them.
 class Quads {
@@ -34,10 +33,6 @@ class Quads {
   private:
     std::vector<glm::uvec4> quads_;
 };
-
-float unit_for(float peak) {
-    return peak > kLargestHalf ? peak / kLargestHalf : 1.0f;
-}
 
 float peak_of(const scene::ProbeCapture& capture) {
     float peak = 0.0f;
@@ -103,7 +98,7 @@ std::uint64_t half4(const glm::vec4& v) {
 
 void copy_tile(const scene::ReflectionProbe& probe, std::uint32_t level, std::uint32_t size,
                std::size_t stride, std::uint64_t* to) {
-    const float per_unit = 1.0f / unit_for(peak_of(probe.capture));
+    const float per_unit = 1.0f / scene::unit_for_half(peak_of(probe.capture));
     const std::vector<glm::vec4>& from = probe.capture.levels[level];
     for (std::uint32_t y = 0; y < size; ++y) {
         for (std::uint32_t x = 0; x < size; ++x) {
@@ -149,7 +144,7 @@ void write_probe(const scene::ReflectionProbe& probe, std::size_t index, const A
     out.numbers({probe.half_size_m, static_cast<float>(probe.shape)});
     out.numbers({probe.capture_offset_m, probe.fade_m});
     out.numbers({static_cast<float>(index % shape.columns), static_cast<float>(index / shape.columns),
-                 probe.margin_m, unit_for(peak_of(probe.capture))});
+                 probe.margin_m, scene::unit_for_half(peak_of(probe.capture))});
     for (const glm::vec4& c : probe.capture.irradiance_sh) out.numbers(c);
 }
 
@@ -195,7 +190,7 @@ void upload_local_light(const gpu::Device& device, gpu::Commands& commands,
         quads.words(glm::uvec4(0u));
     }
     for (std::size_t i = 0; i < baked.size(); ++i) {
-        const float unit = unit_for(peak_of(*baked[i]));
+        const float unit = scene::unit_for_half(peak_of(*baked[i]));
         glm::uvec4& places = quads[first_volume + i * kVolumeQuads + 5];
         places.x = quads.size();
         places.z = glm::floatBitsToUint(unit);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shading/probes/harmonics.glsl"
+#include "shading/spherical_harmonics.glsl"
 
 namespace candela::realtime {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 /// Before the first pass a probe answers for all directions and has seen nothing: no sky shines into rooms.
 std::array<glm::vec4, 9> unlit_surroundings() {
     std::array<glm::vec4, 9> sh{};
-    sh[0].w = 1.0f / shading::harmonic(0, glm::vec3(0.0f, 0.0f, 1.0f));
+    sh[0].w = 1.0f / shading::sh_basis(0, glm::vec3(0.0f, 0.0f, 1.0f));
     return sh;
 }
 

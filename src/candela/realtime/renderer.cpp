@@ -17,6 +17,7 @@
 #include "candela/realtime/metering.hpp"
 #include "candela/realtime/shadow_pass.hpp"
 #include "candela/realtime/shape_pass.hpp"
+#include "candela/scene/half_range.hpp"
 #include "shading/exposure.glsl"
 #include "shading/sequence.glsl"
 
@@ -162,10 +163,11 @@ struct Renderer::State {
         }
     }
 
-    /// Half floats end at 65504; the light buffer's exposure leaves the brightest thing in the scene below
-    /// that.
+    /// The light buffer's exposure leaves the brightest thing in the scene within half floats.
     [[nodiscard]] float pre_exposure(float exposure) const {
-        return light_limits.peak_nit > 0.0f ? std::min(exposure, 60000.0f / light_limits.peak_nit) : exposure;
+        return light_limits.peak_nit > 0.0f
+                   ? std::min(exposure, scene::kLargestHalfUnits / light_limits.peak_nit)
+                   : exposure;
     }
 
     void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "shading/lights/units.glsl"
+
 namespace candela::realtime {
 namespace {
 
@@ -48,15 +50,14 @@ float screen_coverage(const scene::Light& light, float reach, const scene::Camer
 
 float luminous_intensity_cd(const scene::Light& light) {
     const float strength = light.intensity * std::max({light.color.r, light.color.g, light.color.b, 0.0f});
-    constexpr float pi = 3.14159265f;
     switch (light.type) {
         case scene::LightType::sphere:
         case scene::LightType::disk:
-            return strength * pi * light.radius_m * light.radius_m;
+            return strength * shading::disk_area(light.radius_m);
         case scene::LightType::rectangle:
-            return strength * 4.0f * light.half_width_m * light.half_height_m;
+            return strength * shading::rectangle_area(2.0f * light.half_width_m, 2.0f * light.half_height_m);
         case scene::LightType::tube:
-            return strength * light.radius_m * (4.0f * light.half_width_m + pi * light.radius_m);
+            return strength * shading::tube_projected_area(light.radius_m, 2.0f * light.half_width_m);
         default:
             return strength;
     }

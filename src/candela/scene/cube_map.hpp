@@ -50,7 +50,7 @@ struct FilteredEnvironment {
     /// Of irradiance / pi, real spherical harmonics of bands 0 to 2 in the order l (l + 1) + m, without the
     /// Condon-Shortley phase: the value in a direction is the plain sum of coefficient times basis.
     std::array<glm::vec3, 9> irradiance_sh{};
-    /// Lambda of shading/environment_filter.glsl's sh_window that was applied to them, so that no direction
+    /// Lambda of shading/spherical_harmonics.glsl's sh_window that was applied to them, so that no direction
     /// is negative; 0: none was.
     float irradiance_sh_window = 0.0f;
     float nit_per_unit = 1.0f;

@@ -92,8 +92,7 @@ void measure(const PictureSphere& sphere, const std::vector<glm::vec3>& behind, 
     for (std::size_t i = 0; i < source.texels.size(); ++i) {
         const std::uint32_t texel = source.texels[i];
         const glm::dvec3 excess = double{e.scale} * glm::dvec3(e.luminance_nit[texel] - behind[i]);
-        const double solid_angle = sphere.solid_angle(texel),
-                     luminance = glm::dot(excess, glm::dvec3(0.2126, 0.7152, 0.0722));
+        const double solid_angle = sphere.solid_angle(texel), luminance = shading::luminance(excess);
         sum += excess * solid_angle;
         middle += sphere.direction(texel) * (luminance * solid_angle);
         of_luminance += luminance * solid_angle;
@@ -104,10 +103,6 @@ void measure(const PictureSphere& sphere, const std::vector<glm::vec3>& behind, 
     const glm::vec3 picture =
         glm::length(middle) > 0.0 ? glm::vec3(glm::normalize(middle)) : glm::vec3(0.0f, 1.0f, 0.0f);
     source.direction = shading::rotate_about_y(picture, e.rotation_rad);
-}
-
-double luminous(const glm::dvec3& v) {
-    return glm::dot(v, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 /// Finds one source after the other.
@@ -126,7 +121,7 @@ class Search {
             // What is left cannot give enough, however large it is.
             if (!seed || double{sphere_.luminance(*seed)} * cap_sr < least_lx) break;
             std::optional<EnvironmentSource> source = grow(*seed);
-            const bool good = source && luminous(source->illuminance_lx) >= least_lx;
+            const bool good = source && shading::luminance(source->illuminance_lx) >= least_lx;
             if (good) {
                 for (const std::uint32_t t : source->texels) taken_[t] = seen_[t] = 1;
                 out.push_back(std::move(*source));
@@ -138,7 +133,7 @@ class Search {
             }
         }
         std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
-            return luminous(a.illuminance_lx) > luminous(b.illuminance_lx);
+            return shading::luminance(a.illuminance_lx) > shading::luminance(b.illuminance_lx);
         });
         return out;
     }
@@ -231,7 +226,7 @@ Light light_of(const EnvironmentSource& source, const Environment& e) {
     const glm::vec3 side =
         std::abs(out.direction.y) < 0.99f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
     out.right = glm::normalize(glm::cross(out.direction, side));
-    const double lx = luminous(source.illuminance_lx);
+    const double lx = shading::luminance(source.illuminance_lx);
     out.color = glm::vec3(source.illuminance_lx / lx);
     out.intensity = static_cast<float>(lx);
     out.angular_diameter_rad = static_cast<float>(2.0 * source.half_angle_rad());
@@ -262,7 +257,7 @@ std::optional<EnvironmentSource> find_sun(const Environment& environment) {
     for (EnvironmentSource& source : find_sources(environment, limits)) {
         const double four_texels = 4.0 * M_PI / environment.height * 2.0 * M_PI / environment.width;
         const double largest = std::max(largest_half_angle, std::sqrt(four_texels / M_PI));
-        const double lx = luminous(source.illuminance_lx);
+        const double lx = shading::luminance(source.illuminance_lx);
         const double rest_lx = std::max(upward_lx - lx * std::max(double{source.direction.y}, 0.0), 0.0);
         if (double{source.direction.y} > lowest && source.half_angle_rad() <= largest &&
             lx > least_share * (lx + rest_lx))

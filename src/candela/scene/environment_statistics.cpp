@@ -85,7 +85,7 @@ EnvironmentStatistics statistics_of(const Environment& e) {
     for (std::uint32_t t = 0; t < sphere.texels(); ++t)
         out.mean_nit +=
             glm::dvec3(e.luminance_nit[t]) * (sphere.solid_angle(t) * double{e.scale} / (4.0 * M_PI));
-    out.mean_luminance_nit = glm::dot(out.mean_nit, glm::dvec3(0.2126, 0.7152, 0.0722));
+    out.mean_luminance_nit = shading::luminance(out.mean_nit);
     out.percentiles_nit = percentiles_of(sphere);
     const auto peak = std::max_element(sphere.luminances().begin(), sphere.luminances().end());
     const auto texel = static_cast<std::uint32_t>(peak - sphere.luminances().begin());

@@ -24,7 +24,7 @@ struct ProbeCapture {
     std::uint32_t size = 0;  ///< texels a side of level 0; each level is half of the one before
     std::vector<std::vector<glm::vec4>> levels;
     /// The same, cosine-weighted about the normal over pi, as spherical harmonics
-    /// (shading/probes/harmonics.glsl).
+    /// (shading/spherical_harmonics.glsl).
     std::array<glm::vec4, 9> irradiance_sh{};
     [[nodiscard]] bool empty() const noexcept { return levels.empty(); }
 };

@@ -16,7 +16,7 @@ void add3(const glm::vec3& value, float* to) {
 }
 
 double luminance(const double* rgb) {
-    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+    return shading::luminance(glm::dvec3(rgb[0], rgb[1], rgb[2]));
 }
 
 }  // namespace

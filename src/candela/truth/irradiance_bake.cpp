@@ -8,10 +8,11 @@
 #include <glm/geometric.hpp>
 #include <mutex>
 
+#include "candela/bake/irradiance_harmonics.hpp"
 #include "shading/octahedral.glsl"
-#include "shading/probes/harmonics.glsl"
 #include "shading/probes/volume.glsl"
 #include "shading/sampling.glsl"
+#include "shading/spherical_harmonics.glsl"
 
 namespace candela::truth {
 namespace {
@@ -88,32 +89,6 @@ bool behind_surface(const SurfaceReader& surfaces, const Geometry& geometry, con
     return glm::dot(glm::cross(corner[1] - corner[0], corner[2] - corner[0]), ray.direction) > 0.0f;
 }
 
-/// The weakest window with which the harmonics stay above zero wherever they are looked at.
-float ringing_window(const std::array<glm::vec3, 9>& sh) {
-    const auto lowest = [&](float lambda) {
-        float low = 0.0f;
-        for (std::uint32_t i = 0; i < 128; ++i) {
-            const glm::vec3 d = sphere_direction(shading::hammersley(i, 128));
-            glm::vec3 sum(0.0f);
-            for (int k = 0; k < shading::kHarmonics; ++k) {
-                sum += sh[std::size_t(k)] * (shading::harmonic(k, d) *
-                                             shading::harmonic_window(shading::harmonic_band(k), lambda));
-            }
-            low = std::min(low, std::min(sum.x, std::min(sum.y, sum.z)));
-        }
-        return low;
-    };
-    if (lowest(0.0f) >= 0.0f) return 0.0f;
-    float low = 0.0f;
-    float high = 1.0f;
-    while (lowest(high) < 0.0f && high < 1e3f) high *= 2.0f;
-    for (int i = 0; i < 12; ++i) {
-        const float middle = 0.5f * (low + high);
-        (lowest(middle) < 0.0f ? low : high) = middle;
-    }
-    return high;
-}
-
 void IrradianceBake::gather(const glm::vec3& position, const glm::uvec2& pixel, IrradianceProbe& out) const {
     std::vector<glm::vec3> lights(options_.samples);
     std::vector<glm::vec3> directions(options_.samples);
@@ -136,18 +111,16 @@ void IrradianceBake::gather(const glm::vec3& position, const glm::uvec2& pixel, 
     for (std::uint32_t i = 0; i < options_.samples; ++i) {
         const float over = shading::luminance(lights[i]) / std::max(kMostOverMean * float(mean), 1e-20f);
         const glm::dvec3 light(lights[i] / std::max(over, 1.0f));
-        for (int k = 0; k < shading::kHarmonics; ++k)
-            sums[std::size_t(k)] += light * double(shading::harmonic(k, directions[i]));
+        for (int k = 0; k < shading::kShCoefficients; ++k)
+            sums[std::size_t(k)] += light * double(shading::sh_basis(k, directions[i]));
     }
     out.valid = double(back_faces) <= kMostBackFaces * options_.samples;
     const double scale = 4.0 * double(shading::PI) / options_.samples;
-    for (int k = 0; k < shading::kHarmonics; ++k) {
-        out.irradiance_sh[std::size_t(k)] = glm::vec3(
-            sums[std::size_t(k)] * (scale * double(shading::cosine_lobe(shading::harmonic_band(k)))));
+    for (int k = 0; k < shading::kShCoefficients; ++k) {
+        out.irradiance_sh[std::size_t(k)] =
+            glm::vec3(sums[std::size_t(k)] * (scale * double(shading::sh_cosine_over_pi(k))));
     }
-    const float lambda = ringing_window(out.irradiance_sh);
-    for (int k = 0; k < shading::kHarmonics; ++k)
-        out.irradiance_sh[std::size_t(k)] *= shading::harmonic_window(shading::harmonic_band(k), lambda);
+    bake::window_negative(out.irradiance_sh);
 }
 
 void IrradianceBake::measure_distances(const glm::vec3& position, float farthest_m,

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One level of a reflection probe's maps from two filtered environments: what it sees, and how much of it is not sky.
 #include "environment_maps.glsl"
-#include "probes/volume.glsl"
+#include "octahedral.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D color_map;

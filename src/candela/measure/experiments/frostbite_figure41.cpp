@@ -1,8 +1,6 @@
 #include <glm/geometric.hpp>
 
-#include "candela/measure/area_truth.hpp"
-#include "candela/measure/lit_scene.hpp"
-#include "candela/measure/numerics.hpp"
+#include "candela/measure/lit_rectangle.hpp"
 #include "shading/lights/tube.glsl"
 
 namespace candela::measure::experiments {
@@ -12,39 +10,18 @@ using namespace shading;
 using glm::dvec3;
 
 /// Behind the balls, it shines towards the viewer: right x up is y, away from him.
-const RectangleLight kLight{dvec3(0.0, 1.6, 0.7), dvec3(-1.0, 0.0, 0.0), dvec3(0.0, 0.0, 1.0), 1.0, 0.6};
-
-RectangleLight seen_from(const dvec3& position) {
-    RectangleLight l = kLight;
-    l.center -= position;
-    return l;
-}
-
-using Technique = float (*)(vec3, vec3, vec3, vec3, float, float);
-
-Illuminance by(Technique f) {
-    return [f](const dvec3& n, const dvec3& position) {
-        const RectangleLight l = seen_from(position);
-        return double(
-            f(vec3(n), vec3(l.center), vec3(l.right), vec3(l.up), float(l.half_width), float(l.half_height)));
-    };
-}
+const LitRectangle kLight{{dvec3(0.0, 1.6, 0.7), dvec3(-1.0, 0.0, 0.0), dvec3(0.0, 0.0, 1.0), 1.0, 0.6}};
 
 void add(Findings& out, const LitScene& scene, const std::string& title, double structured, double exact) {
     add_lit_figure(
         out, scene, title,
-        {{"structured sampling", by(rectangle_projected_solid_angle_structured), structured},
-         {"exact", by(rectangle_projected_solid_angle), exact}},
-        [](const dvec3& n, const dvec3& position) { return illuminance_truth(n, seen_from(position), 4); },
-        0.4);
+        {{"structured sampling", kLight.by(rectangle_projected_solid_angle_structured), structured},
+         {"exact", kLight.by(rectangle_projected_solid_angle), exact}},
+        kLight.truth(), 0.4);
 }
 
 Findings run() {
-    LitScene scene;
-    scene.lamp = [](const dvec3& origin, const dvec3& direction) {
-        return ray_to_rectangle(origin, direction, kLight.center, kLight.right * kLight.half_width,
-                                kLight.up * kLight.half_height);
-    };
+    const LitScene scene = kLight.scene();
     Findings out;
     add(out, scene, "Rectangle", 0.03, 1e-4);
     LitScene close = scene;

@@ -1,5 +1,6 @@
 #include <glm/geometric.hpp>
 
+#include "candela/bake/lobe_fit.hpp"
 #include "candela/measure/numerics.hpp"
 #include "candela/measure/reflection_techniques.hpp"
 #include "shading/transfer.glsl"
@@ -108,7 +109,7 @@ Panel picture() {
         for (int row = 0; row < 5; ++row) {
             std::vector<LobeRead> reads;
             if (row == 1) reads = {{vec3(-v.x, 0.0f, v.z), kRoughness, 1.0f}};
-            if (row > 1) reads = lobe_reads_of(row - 1, vec3(0, 0, 1), v, v.z, kRoughness, 0.0f);
+            if (row > 1) reads = bake::committed_lobe_reads(row - 1, vec3(0, 0, 1), v, v.z, kRoughness, 0.0f);
             const std::vector<float> disc = disc_of([&](const vec3& l) {
                 if (row == 0) return lobe(v, l);
                 double sum = 0.0;

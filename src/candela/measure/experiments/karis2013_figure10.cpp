@@ -1,21 +1,12 @@
-#include "candela/measure/specular_figure.hpp"
+#include "candela/measure/karis_spheres.hpp"
 
 namespace candela::measure::experiments {
 namespace {
 
-std::vector<SphereColumn> columns() {
-    std::vector<SphereColumn> out;
-    for (const float alpha : {0.02f, 0.05f, 0.1f, 0.25f, 0.5f}) {
-        ShapedLight light = light_towards_spheres(LightShape::sphere, {-1.2f, 1.6f, 1.6f});
-        light.radius = 0.7f;
-        out.push_back({light, alpha});
-    }
-    return out;
-}
-
 Findings run() {
     Findings out;
-    add_specular_figure(out, "Sphere light", columns(), {"specular D modification"}, {0.09});
+    add_specular_figure(out, "Sphere light", karis_spheres_under_sphere(), {"specular D modification"},
+                        {0.09});
     out.text =
         "As printed: the widened lobe turns the glossy spheres rough, and the light's round image is lost at "
         "grazing angles.";

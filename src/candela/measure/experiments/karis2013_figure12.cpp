@@ -1,22 +1,12 @@
-#include "candela/measure/specular_figure.hpp"
+#include "candela/measure/karis_spheres.hpp"
 
 namespace candela::measure::experiments {
 namespace {
 
-std::vector<SphereColumn> columns() {
-    std::vector<SphereColumn> out;
-    for (const float alpha : {0.02f, 0.05f, 0.1f, 0.25f, 0.5f}) {
-        ShapedLight light = light_towards_spheres(LightShape::sphere, {-1.2f, 1.6f, 1.6f});
-        light.radius = 0.7f;
-        out.push_back({light, alpha});
-    }
-    return out;
-}
-
 Findings run() {
     Findings out;
-    add_specular_figure(out, "Sphere light", columns(), {"representative point", "transformed cosine"},
-                        {0.06, 0.017});
+    add_specular_figure(out, "Sphere light", karis_spheres_under_sphere(),
+                        {"representative point", "transformed cosine"}, {0.06, 0.017});
     out.text =
         "The representative point has the light's sharp image, and around it a lobe that is too bright and "
         "too wide where the light is "

@@ -1,23 +1,12 @@
-#include "candela/measure/specular_figure.hpp"
+#include "candela/measure/karis_spheres.hpp"
 
 namespace candela::measure::experiments {
 namespace {
 
-std::vector<SphereColumn> columns() {
-    std::vector<SphereColumn> out;
-    for (const float alpha : {0.02f, 0.05f, 0.1f, 0.25f, 0.5f}) {
-        ShapedLight light = light_towards_spheres(LightShape::tube, {0.0f, 1.7f, 1.4f});
-        light.half_width = 1.5f;
-        light.radius = 0.12f;
-        out.push_back({light, alpha});
-    }
-    return out;
-}
-
 Findings run() {
     Findings out;
-    add_specular_figure(out, "Tube light", columns(), {"representative point", "transformed cosine"},
-                        {0.05, 0.012});
+    add_specular_figure(out, "Tube light", karis_spheres_under_tube(),
+                        {"representative point", "transformed cosine"}, {0.05, 0.012});
     out.text =
         "Line and sphere in turn, each with its normalization, make a tube, as printed; how long its image "
         "is on rough metal is what the "

@@ -6,9 +6,9 @@
 #include "layer_reflection.glsl"
 #include "probes/composition.glsl"
 #include "dominant_direction.glsl"
-#include "probes/harmonics.glsl"
 #include "probes/parallax.glsl"
 #include "probes/volume.glsl"
+#include "spherical_harmonics.glsl"
 
 // C++: LocalLightBit.
 layout(constant_id = 22) const uint kLocalLight = 0u;
@@ -89,7 +89,7 @@ ProbeSum probes_diffuse(vec3 position, vec3 direction) {
         float influence = influence_of(record, point_to_local(record, position));
         if (influence <= 0.0) continue;
         vec4 value = vec4(0.0);
-        for (int k = 0; k < kHarmonics; ++k) value += local_vectors[record + 6u + uint(k)] * harmonic(k, direction);
+        for (int k = 0; k < kShCoefficients; ++k) value += local_vectors[record + 6u + uint(k)] * sh_basis(k, direction);
         value = max(value, vec4(0.0));
         add_probe(sum, value.rgb / max(value.a, 1.0e-4), min(value.a, 1.0) * influence);
     }
@@ -142,8 +142,8 @@ vec4 volume_irradiance(uint record, vec3 position, vec3 n, vec3 v, vec3 directio
     vec3 seen_at = local + (0.8 * local_n + 0.2 * to_local(record, v)) * (0.3 * least);
 
     vec2 basis[5];
-    for (int k = 0; k < 4; ++k) basis[k] = vec2(harmonic(2 * k, direction), harmonic(2 * k + 1, direction));
-    basis[4] = vec2(harmonic(8, direction), 0.0);
+    for (int k = 0; k < 4; ++k) basis[k] = vec2(sh_basis(2 * k, direction), sh_basis(2 * k + 1, direction));
+    basis[4] = vec2(sh_basis(8, direction), 0.0);
 
     vec3 at = clamp((local + size_fade.xyz) / spacing - 0.5, vec3(0.0), vec3(cells - 1));
     ivec3 low = min(ivec3(at), max(cells - 2, ivec3(0)));
