@@ -5,6 +5,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "option_rules.hpp"
 
 namespace {
 
@@ -33,7 +34,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         if (asked) return app.exit(error);
-        return fail(std::string(error.what()) + " (candela --help)", candela::Fault::usage);
+        const std::string line = candela::app::parse_error_line(app, error, {argv + 1, argv + argc});
+        return fail(candela::Error(candela::Fault::usage, line).line(), candela::Fault::usage);
     }
     return action();
 }
