@@ -38,7 +38,9 @@ void print_report(const char* what, const LocalLightReport& report, std::size_t 
         std::printf("%s: none in the stage\n", what);
         return;
     }
-    std::printf("%zu %s: %s %s in %.1f s\n", count, what, report.cached ? "found in" : "written to",
+    // "irradiance volumes", of which there may be one.
+    const std::string name = std::string(what).substr(0, std::string(what).size() - (count == 1 ? 1 : 0));
+    std::printf("%zu %s: %s %s in %.1f s\n", count, name.c_str(), report.cached ? "found in" : "written to",
                 report.file.empty() ? "nowhere" : report.file.c_str(), report.seconds);
 }
 

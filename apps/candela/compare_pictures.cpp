@@ -110,11 +110,12 @@ NamedPicture named(const std::string& name, const std::string& mode, const realt
 /// One way to make a picture of the scene.
 struct SceneSource {
     std::string name;
+    std::shared_ptr<Job> job;
     std::function<NamedPicture(const gpu::Device&)> render;
 };
 
 SceneSource path_source(const SceneOptions& options, const std::shared_ptr<Job>& job) {
-    return {"path", [job, options](const gpu::Device&) {
+    return {"path", job, [job, options](const gpu::Device&) {
                 PathModeOptions path;
                 path.samples = options.path_samples;
                 path.direct_only = options.direct_only;
@@ -133,7 +134,7 @@ SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job
     const std::string name = integrate ? "integrate" : job->profile.name;
     const bool none = options.job.shadows.way == "none";
     const Shadows shadows = none ? Shadows::none : integrate ? Shadows::ray : Shadows::map;
-    return {name, [job, options, integrate, name, shadows](const gpu::Device& device) {
+    return {name, job, [job, options, integrate, name, shadows](const gpu::Device& device) {
                 const std::uint32_t samples = integrate ? options.integrate_samples : options.samples;
                 const FrameModeStill frame = render_on_device(
                     device, *job,
@@ -146,14 +147,13 @@ SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job
 
 /// The path tracer's picture first, as the reference, then the frame's integrals in full, then the frame
 /// under each profile; the first two with the material model of the first profile.
-std::vector<SceneSource> scene_sources(const SceneOptions& options, Diagnostics& diagnostics) {
+std::vector<SceneSource> scene_sources(const SceneOptions& options) {
     std::vector<SceneSource> out;
     for (const std::string& profile : options.profiles) {
         JobOptions job_options = options.job;
         job_options.profile = profile;
         const auto job = std::make_shared<Job>(prepare(job_options));
         if (out.empty()) {
-            diagnostics = job->diagnostics;
             if (options.truth) out.push_back(path_source(options, job));
             if (options.truth) out.push_back(device_source(options, job, true));
         }
@@ -226,11 +226,13 @@ NamedPicture load_picture(const std::string& file, Diagnostics& diagnostics) {
 }
 
 std::vector<NamedPicture> render_pictures(const SceneOptions& options, Diagnostics& diagnostics) {
-    const std::vector<SceneSource> sources = scene_sources(options, diagnostics);
+    const std::vector<SceneSource> sources = scene_sources(options);
     const gpu::Device device(device_options(options.job));
     std::fprintf(stderr, "candela: device: %s\n", device_line(device.info()).c_str());
     std::vector<NamedPicture> out;
     for (const SceneSource& source : sources) out.push_back(source.render(device));
+    // With what came up while rendering; of one profile, as the others would repeat it.
+    diagnostics = sources.front().job->diagnostics;
     return out;
 }
 

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "candela/bake/environment.hpp"
 #include "candela/bake/sky.hpp"
 #include "candela/io/environment_read.hpp"
+#include "candela/measure/numerics.hpp"
 #include "candela/scene/environment_sources.hpp"
 #include "candela/scene/error.hpp"
 #include "job.hpp"
@@ -53,8 +53,8 @@ void warn_of_two_suns(const scene::Light& sun, const std::string& whose, Job& jo
         if (own == nullptr || light.intensity > own->intensity) own = &light;
     }
     if (own == nullptr) return;
-    char lx[64];
-    std::snprintf(lx, sizeof(lx), "%.4g lx beside %.4g lx", double(own->intensity), double(sun.intensity));
+    const std::string lx = measure::readable(double(own->intensity)) + " lx beside " +
+                           measure::readable(double(sun.intensity)) + " lx";
     const std::string name = own->name.empty() ? "without a name" : "\"" + own->name + "\"";
     const std::string off = own->name.empty() ? "--light-scale 0 turns the scene file's lights off"
                                               : R"(off in a stage: {"lights": [{"override": ")" + own->name +

@@ -89,10 +89,9 @@ std::string notes_of(const scene::Scene& scene) {
                  " of its probes stand outside of the walls (let its box end at them: center, size_m)\n";
     }
     if (survey.uncovered >= notable_uncovered)
-        notes +=
-            percent(survey.uncovered) + " of the surfaces that hardly see the sky lie outside of every " +
-            "irradiance volume: the distant light comes to them through the walls (a larger volume, or " +
-            "one more)\n";
+        notes += percent(survey.uncovered) +
+                 " of the surfaces of the rooms lie outside of every irradiance " +
+                 "volume: the distant light comes to them through the walls (a larger volume, or one more)\n";
     return notes;
 }
 

@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
     candela::app::add_validate(app, action);
     candela::app::add_light(app, action);
     candela::app::add_env(app, action);
+    // Before any command looks at its options.
+    app.parse_complete_callback([&app] { candela::app::refuse_empty_values(app); });
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

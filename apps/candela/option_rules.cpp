@@ -107,6 +107,15 @@ void refuse_before_subcommand(const CLI::App& command, const std::vector<std::st
     }
 }
 
+void refuse_empty_values(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const std::vector<std::string>& values = option->results();
+        if (std::find(values.begin(), values.end(), "") != values.end())
+            throw Error(Fault::usage, "has no value", option->get_name(), "what it is given is empty");
+    }
+    for (const CLI::App* sub : command.get_subcommands()) refuse_empty_values(*sub);
+}
+
 CLI::Validator number_in(double low, double high) {
     char range[64];
     std::snprintf(range, sizeof(range), "%g to %g", low, high);

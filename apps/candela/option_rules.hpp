@@ -23,6 +23,10 @@ void refuse_without_effect(const CLI::App& command, const std::vector<std::strin
 /// None of the command's options but these (and --help), where a subcommand follows that has its own.
 void refuse_before_subcommand(const CLI::App& command, const std::vector<std::string>& but = {});
 
+/// No option or argument with nothing as its value, as a script's variable that is not set leaves it; of the
+/// subcommands that were called, too.
+void refuse_empty_values(const CLI::App& command);
+
 /// A number within these bounds. CLI::Range lets NaN through, because it is not outside of them.
 [[nodiscard]] CLI::Validator number_in(double low, double high);
 

@@ -1,4 +1,5 @@
 // What a stranger types: one line that says what to do, and the exit code that the README promises.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "candela/io/image_write.hpp"
@@ -64,6 +65,14 @@ TEST(Messages, NotANumberIsNoNumberOfAnyOption) {
     }
 }
 
+TEST(Messages, AnEmptyValueIsNone) {
+    expect_one_line(run_candela("render s.glb --stage ''"), 2, "--stage: has no value");
+    expect_one_line(run_candela("render s.glb --env ''"), 2, "--env: has no value");
+    expect_one_line(run_candela("render ''"), 2, "SCENE: has no value");
+    expect_one_line(run_candela("env info ''"), 2, "ENV: has no value");
+    expect_one_line(run_candela("compare '' b.exr"), 2, "PICTURES: has no value");
+}
+
 TEST(Messages, FilesThatAreNotWhatTheyShouldBe) {
     const TemporaryFolder folder;
     spit(folder / "empty.glb", "");
@@ -119,6 +128,27 @@ TEST(Messages, OnlyTheLastFolderOfAnOutputIsMade) {
     }
 }
 
+TEST(Messages, TexelsThatAreNoLuminanceAreCounted) {
+    const TemporaryFolder folder;
+    std::vector<float> plane(32, 1000.0f);
+    plane[3] = plane[4] = -0.5f;
+    plane[5] = -2.5f;
+    plane[9] = std::nanf("");
+    const std::span<const float> pixels(plane);
+    io::write_exr(folder / "sky.exr", 8, 4,
+                  {{"R", io::PixelType::float32, pixels},
+                   {"G", io::PixelType::float32, pixels},
+                   {"B", io::PixelType::float32, pixels}},
+                  {});
+    const Outcome outcome = run_candela("env info " + (folder / "sky.exr"));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("negative luminance became 0, in 3 of 32 texels, the least -2.5 cd/m2"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("not a number became 0, in 1 of 32 texels"), std::string::npos) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 2u) << outcome.err;
+}
+
 TEST(Messages, ConvertSaysWhatItWrote) {
     const TemporaryFolder folder;
     const Outcome outcome = run_candela("convert " + plane() + " -o " + (folder / "a.glb"));
@@ -159,14 +189,14 @@ TEST(Messages, ASkyOverASceneWithASunIsTwoSuns) {
         return outcome.err;
     };
     const std::string two = warnings("--env sky:elevation=35");
-    EXPECT_NE(two.find("two suns: the scene's light \"sun\""), std::string::npos) << two;
-    EXPECT_NE(two.find(R"("override": "sun", "off": true)"), std::string::npos) << two;
+    EXPECT_NE(two.find("two suns: the scene's light \"lamp\""), std::string::npos) << two;
+    EXPECT_NE(two.find(R"("override": "lamp", "off": true)"), std::string::npos) << two;
     EXPECT_EQ(lines(two), 1u) << two;
     EXPECT_EQ(warnings("--env sky:elevation=-5"), "") << "no sun in that sky";
     EXPECT_EQ(warnings("--env studio"), "");
     EXPECT_EQ(warnings("--env sky --light-scale 0.0001"), "") << "a moon is no sun";
     // What the warning says to do.
-    spit(scenes() / "off.json", R"({"lights": [{"override": "sun", "off": true}]})");
+    spit(scenes() / "off.json", R"({"lights": [{"override": "lamp", "off": true}]})");
     EXPECT_EQ(warnings("--env sky --stage " + (scenes() / "off.json")), "");
 }
 

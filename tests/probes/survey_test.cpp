@@ -114,7 +114,7 @@ TEST(VolumeSurvey, ABoxBeyondTheWallsOfAStageSetIsFound) {
 TEST(VolumeSurvey, NothingIsSaidWhereItMayBeMeant) {
     EXPECT_EQ(outside(street(), volume({0, 4.0f, 0}, {12.0f, 4.0f, 18.0f})), 0.0)
         << "streets and solid houses";
-    EXPECT_LT(uncovered(street(), volume({0, 2.0f, 0}, {3.0f, 2.0f, 3.0f})), 0.2) << "part of a street";
+    EXPECT_EQ(uncovered(street(), volume({0, 2.0f, 0}, {3.0f, 2.0f, 3.0f})), 0.0) << "part of a street";
     scene::Scene open = ground(40.0f);
     EXPECT_EQ(outside(open, volume({0, 2.0f, 0}, {5.0f, 2.0f, 5.0f})), 0.0);
     EXPECT_EQ(outside(room(1.2f), volume({1.0f, 1.5f, 0}, {2.0f, 1.5f, 2.0f})), 0.0)

@@ -39,6 +39,10 @@ constexpr std::uint32_t kSurfacePoints = 2048;
 constexpr std::uint32_t kSurfaceRays = 64;
 /// A surface that sees less of the sky, by the cosine, hardly sees it.
 constexpr double kShadedSky = 0.3;
+/// Sky within 60 degrees about the zenith is what a street has and a room has not.
+constexpr float kZenith = 0.5f;
+/// So many probes under a roof say which surfaces are in their room.
+constexpr std::size_t kWitnesses = 64;
 /// Fewer shaded surfaces say nothing.
 constexpr double kEnoughShaded = 0.05;
 /// From which weight on a volume or a probe reaches a point.
@@ -47,6 +51,7 @@ constexpr float kReached = 0.5f;
 /// What a ray from a point meets, in shares of all directions.
 struct View {
     double sky = 0.0;
+    double zenith = 0.0;  ///< of it, what is overhead
     double back = 0.0;
 };
 
@@ -57,10 +62,12 @@ class Rays {
     void cast(const glm::vec3& from, const glm::vec3& direction, double share, View& view) const {
         const Ray ray{from, direction};
         Hit hit;
-        if (!geometry_.intersect(ray, hit))
+        if (!geometry_.intersect(ray, hit)) {
             view.sky += share;
-        else if (surfaces_.culled(ray, hit))
+            view.zenith += direction.y > kZenith ? share : 0.0;
+        } else if (surfaces_.culled(ray, hit)) {
             view.back += share;
+        }
     }
     [[nodiscard]] bool clear(const glm::vec3& a, const glm::vec3& b) const {
         const float length = glm::length(b - a);
@@ -109,6 +116,13 @@ class ProbeSurvey {
     }
 
     [[nodiscard]] double outside_share() const;
+    /// Where probes are that have a roof and stand in nothing.
+    [[nodiscard]] std::vector<glm::vec3> indoors() const {
+        std::vector<glm::vec3> out;
+        for (std::size_t i = 0; i < views_.size(); ++i)
+            if (views_[i].zenith <= kNoSky && views_[i].back <= kBuried) out.push_back(position(i));
+        return out;
+    }
 
   private:
     struct Space {
@@ -223,7 +237,11 @@ struct Triangle {
 /// Points spread over the surfaces of a scene by their area.
 class SurfaceSurvey {
   public:
-    SurfaceSurvey(const scene::Scene& scene, const Rays& rays) : scene_(scene), rays_(rays) {
+    /// `indoors`: what sees a surface there is in one room with it.
+    SurfaceSurvey(const scene::Scene& scene, const Rays& rays, const std::vector<glm::vec3>& indoors)
+        : scene_(scene), rays_(rays) {
+        const std::size_t step = std::max<std::size_t>(1, indoors.size() / kWitnesses);
+        for (std::size_t i = step / 2; i < indoors.size(); i += step) witnesses_.push_back(indoors[i]);
         const std::vector<Part>& parts = rays.geometry().parts();
         double sum_m2 = 0.0;
         for (std::uint32_t part = 0; part < parts.size(); ++part) {
@@ -244,9 +262,16 @@ class SurfaceSurvey {
     /// The part of the hemisphere before a point that is sky; 1 where surfaces are seen from behind, so that
     /// the insides of things count for nothing.
     [[nodiscard]] double sky_of(const glm::vec3& position, const glm::vec3& n) const;
+    [[nodiscard]] bool witnessed(const glm::vec3& position, const glm::vec3& n) const {
+        const glm::vec3 from = offset_from_surface(position, n);
+        return std::any_of(witnesses_.begin(), witnesses_.end(), [&](const glm::vec3& witness) {
+            return glm::dot(witness - position, n) > 0.0f && rays_.clear(from, witness);
+        });
+    }
 
     const scene::Scene& scene_;
     const Rays& rays_;
+    std::vector<glm::vec3> witnesses_;
     std::vector<Triangle> triangles_;
     std::vector<double> areas_m2_;  ///< summed up
 };
@@ -279,8 +304,10 @@ double SurfaceSurvey::uncovered_share() const {
             (1.0f - root) * corner[0] + root * (1.0f - u.x) * corner[1] + root * u.x * corner[2];
         const glm::vec3 n = glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
         if (sky_of(position, n) > kShadedSky) return;
+        const bool covered = reached(scene_, position);
+        if (!covered && !witnessed(position, n)) return;
         ++shaded;
-        if (!reached(scene_, position)) ++uncovered;
+        if (!covered) ++uncovered;
     });
     if (double(shaded) < kEnoughShaded * kSurfacePoints) return 0.0;
     return double(uncovered) / double(shaded);
@@ -292,9 +319,14 @@ VolumeSurvey survey_volumes(const scene::Scene& scene) {
     VolumeSurvey out;
     if (scene.irradiance_volumes.empty()) return out;
     const Rays rays(scene);
-    for (const scene::IrradianceVolume& volume : scene.irradiance_volumes)
-        out.outside.push_back(ProbeSurvey(rays, volume).outside_share());
-    out.uncovered = SurfaceSurvey(scene, rays).uncovered_share();
+    std::vector<glm::vec3> indoors;
+    for (const scene::IrradianceVolume& volume : scene.irradiance_volumes) {
+        const ProbeSurvey survey(rays, volume);
+        out.outside.push_back(survey.outside_share());
+        const std::vector<glm::vec3> here = survey.indoors();
+        indoors.insert(indoors.end(), here.begin(), here.end());
+    }
+    out.uncovered = SurfaceSurvey(scene, rays, indoors).uncovered_share();
     return out;
 }
 

@@ -13,8 +13,9 @@ struct VolumeSurvey {
     /// no sky while they see it themselves, or with the back of surfaces on one side and the sky on the
     /// other. Probes inside of something solid are left out.
     std::vector<double> outside;
-    /// Of the surfaces that hardly see the sky, the part that no volume and no reflection probe reaches: the
-    /// distant light comes to them as if there were nothing in its way.
+    /// Of the surfaces that hardly see the sky and are in a volume, or in sight of its probes that have a
+    /// roof, the part that no volume and no reflection probe reaches: the distant light comes to them as if
+    /// there were nothing in its way.
     double uncovered = 0.0;
 };
 
