@@ -12,9 +12,12 @@
 #include "bake_probes.hpp"
 #include "candela/bake/ltc_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "job.hpp"
+#include "option_rules.hpp"
 #include "shading/lights/ltc.glsl"
 #include "sky_option.hpp"
 
@@ -29,6 +32,26 @@ struct BakeOptions {
     std::uint32_t dfg_size = 128;
     bool json = false;
 };
+
+/// What tables take; an environment takes all but these.
+const std::vector<std::string> kOfDfg{"--visibility", "--dfg-size"};
+const std::vector<std::string> kOfEnvironments{
+    "--env-layout", "--env-cube",        "--size",   "--levels", "--mapping",   "--technique",
+    "--samples",    "--irradiance-size", "--preset", "--format", "--env-scale", "--env-rotate"};
+
+bool is_table(const std::string& what) {
+    return what == "ltc" || what == "lobes" || what == "dfg";
+}
+
+void check_options(const CLI::App& command, const BakeOptions& options) {
+    if (is_table(options.what))
+        refuse_without_effect(command, kOfEnvironments, "on " + options.what + ": it is of environments",
+                              options.what == "dfg" ? "--dfg-size, --visibility" : "-o FILE");
+    if (options.what != "dfg") refuse_without_effect(command, kOfDfg, "but on dfg", "candela bake dfg");
+    if (is_table(options.what)) return;
+    check_environment_reading(command, options.what);
+    check_bake_environment_options(command, options.environment);
+}
 
 /// What a reader of the table must know, and how good it is.
 nlohmann::json ltc_metadata(const bake::LtcTable& table) {
@@ -61,8 +84,8 @@ nlohmann::json ltc_metadata(const bake::LtcTable& table) {
 int bake_ltc(const BakeOptions& options) {
     const std::filesystem::path file = options.output.empty() ? "ltc_table.bin" : options.output;
     if (file.extension() == ".json")
-        throw input_error("the table is binary; its metadata gets this ending", file.string(),
-                          "-o ltc_table.bin");
+        throw Error(Fault::usage, "the table is binary; its metadata gets this ending", file.string(),
+                    "-o ltc_table.bin");
     // Opened before the work, so that a folder that is not there is said at once.
     io::detail::SafeFile table_file(file);
     io::detail::SafeFile metadata_file(std::filesystem::path(file).replace_extension(".json"));
@@ -104,6 +127,7 @@ int bake(const BakeOptions& options) {
     BakeEnvironmentOptions environment = options.environment;
     environment.environment = options.what;
     environment.folder = options.output.empty() ? "environment" : options.output;
+    io::check_output_folder(environment.folder);
     environment.json = options.json;
     return bake_environment(environment);
 }
@@ -112,8 +136,8 @@ void add_environment_options(CLI::App& command, BakeOptions& options) {
     BakeEnvironmentOptions& e = options.environment;
     const char* group = "Environments";
     add_environment_file_options(command, e.how);
-    command.add_option("--size", e.size, "Texels a side of the finest level, a power of two (256)")
-        ->check(CLI::Range(1u, 4096u))
+    command.add_option("--size", e.size, "Texels a side of the finest level (256)")
+        ->check(power_of_two(1, 4096))
         ->group(group);
     command.add_option("--levels", e.levels, "Levels; 0: down to one texel, or what the preset ends with")
         ->check(CLI::Range(0u, 13u))
@@ -135,9 +159,11 @@ void add_environment_options(CLI::App& command, BakeOptions& options) {
     command.add_option("--format", e.format, "With candela: ktx2, ktx2-rgb9e5, dds, exr or exr-faces")
         ->group(group);
     command.add_option("--env-scale", e.scale, "Multiplies the environment")
-        ->check(CLI::Range(1.0e-9f, 1.0e9f))
+        ->check(number_in(1e-9, 1e9))
         ->group(group);
-    command.add_option("--env-rotate", e.rotate_deg, "Turns it about +Y, degrees")->group(group);
+    command.add_option("--env-rotate", e.rotate_deg, "Turns it about +Y, degrees")
+        ->check(number_in(-36000.0, 36000.0))
+        ->group(group);
 }
 
 }  // namespace
@@ -161,7 +187,10 @@ void add_bake(CLI::App& app, Action& action) {
         ->check(CLI::Range(2u, 1024u));
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
     command->callback([options, command, &action] {
-        if (command->get_subcommands().empty()) action = [options] { return bake(*options); };
+        refuse_before_subcommand(*command);
+        if (!command->get_subcommands().empty()) return;
+        check_options(*command, *options);
+        action = [options] { return bake(*options); };
     });
 }
 

@@ -7,6 +7,7 @@
 
 #include "candela/bake/dfg_bake.hpp"
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 
@@ -45,7 +46,8 @@ nlohmann::json metadata(const std::string& visibility, std::uint32_t size) {
 int bake_dfg_table(const std::string& output, const std::string& visibility, std::uint32_t size, bool json) {
     const std::filesystem::path file = output.empty() ? "dfg_table.exr" : output;
     if (file.extension() != ".exr")
-        throw input_error("this table is written as EXR", file.string(), "-o dfg_table.exr");
+        throw Error(Fault::usage, "this table is written as EXR", file.string(), "-o dfg_table.exr");
+    io::check_output_file(file);
     const bake::DfgTable table = bake::bake_dfg(visibility_of(visibility), size, kSamples);
     std::vector<std::vector<float>> planes(4, std::vector<float>(table.texels.size()));
     for (std::size_t i = 0; i < table.texels.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "bake_environment.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +11,7 @@
 #include "candela/io/environment_write.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "option_rules.hpp"
 
 namespace candela::app {
 namespace {
@@ -26,6 +29,12 @@ scene::RoughnessMapping mapping_of(const std::string& name) {
     if (name == "filament") return scene::RoughnessMapping::filament;
     throw Error(Fault::usage, "there is no mapping of roughness '" + name + "'", "--mapping",
                 "linear, frostbite or filament");
+}
+
+io::EnvironmentPreset preset_of(const std::string& name) {
+    if (const auto preset = io::preset_by_name(name)) return *preset;
+    throw Error(Fault::usage, "there is no preset '" + name + "'", "--preset",
+                "candela, filament, threejs or gltf");
 }
 
 bake::FilterOptions filter_options(const BakeEnvironmentOptions& options, io::EnvironmentPreset preset) {
@@ -48,23 +57,57 @@ bake::FilterOptions filter_options(const BakeEnvironmentOptions& options, io::En
 
 }  // namespace
 
+void check_bake_environment_options(const CLI::App& command, const BakeEnvironmentOptions& o) {
+    const io::EnvironmentPreset preset = preset_of(o.preset);
+    const std::string name = "with the preset " + o.preset;
+    if (preset != io::EnvironmentPreset::candela) {
+        refuse_without_effect(command, {"--format"}, name + ", which has its own", "--preset candela");
+        // Their irradiance is the harmonics.
+        refuse_without_effect(command, {"--irradiance-size"}, name + ", which has harmonics only",
+                              "--preset candela");
+    }
+    if (preset == io::EnvironmentPreset::threejs)
+        refuse_without_effect(command, {"--levels", "--mapping", "--technique", "--samples"},
+                              name + ": three.js filters by itself", "--preset candela");
+    const io::FilterDemand demand = io::demand_of(preset);
+    const scene::RoughnessMapping mapping =
+        o.mapping ? mapping_of(*o.mapping) : scene::RoughnessMapping::linear;
+    if (o.mapping && demand.mapping && mapping != *demand.mapping)
+        throw Error(Fault::usage, "is not what the preset " + o.preset + " stands for", "--mapping",
+                    "leave it out");
+    const bake::FilterTechnique technique = bake::filter_technique(o.technique.c_str());
+    if (technique == bake::FilterTechnique::harmonic || technique == bake::FilterTechnique::cosine_power)
+        refuse_without_effect(command, {"--samples"},
+                              "with the technique " + o.technique + ", which draws none",
+                              "--technique filtered-importance");
+    const std::uint32_t coarsest = std::max(demand.smallest_level, 1u);
+    if (o.size < coarsest)
+        throw Error(Fault::usage,
+                    "the preset " + o.preset + " has no faces of less than " + std::to_string(coarsest) +
+                        " texels a side",
+                    "--size");
+    const auto most = static_cast<std::uint32_t>(std::bit_width(o.size / coarsest));
+    if (o.levels > most)
+        throw Error(Fault::usage,
+                    "a cube of " + std::to_string(o.size) + " has " + std::to_string(most) + " at most" +
+                        (coarsest > 1 ? " " + name : ""),
+                    "--levels", "0: all of them");
+}
+
 int bake_environment(const BakeEnvironmentOptions& options) {
-    const auto preset = io::preset_by_name(options.preset);
-    if (!preset)
-        throw Error(Fault::usage, "there is no preset '" + options.preset + "'", "--preset",
-                    "candela, filament, threejs or gltf");
+    const io::EnvironmentPreset preset = preset_of(options.preset);
     const auto format = io::cube_format_by_name(options.format);
     if (!format)
         throw Error(Fault::usage, "there is no format '" + options.format + "'", "--format",
                     "ktx2, ktx2-rgb9e5, dds, exr or exr-faces");
-    const bake::FilterOptions filter = filter_options(options, *preset);
+    const bake::FilterOptions filter = filter_options(options, preset);
     Diagnostics diagnostics;
     const scene::Environment environment = read(options, diagnostics);
     const auto start = std::chrono::steady_clock::now();
     const scene::FilteredEnvironment filtered = bake::filter_environment(environment, filter);
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const auto files = io::write_filtered_environment(options.folder, filtered, *format, *preset);
+    const auto files = io::write_filtered_environment(options.folder, filtered, *format, preset);
     nlohmann::json names = nlohmann::json::array();
     for (const auto& file : files) names.push_back(file.string());
     if (options.json) {

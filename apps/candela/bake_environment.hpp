@@ -25,6 +25,9 @@ struct BakeEnvironmentOptions {
     bool json = false;
 };
 
+/// Refuses what contradicts or could have no effect. Throws Error (Fault::usage).
+void check_bake_environment_options(const CLI::App& command, const BakeEnvironmentOptions& options);
+
 /// Filters an environment and writes it, with all that tells what it means.
 int bake_environment(const BakeEnvironmentOptions& options);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "job.hpp"
@@ -19,6 +20,12 @@ struct BakeProbesOptions {
     bool json = false;
 };
 
+nlohmann::json names_json(const std::vector<std::filesystem::path>& files) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const std::filesystem::path& file : files) out.push_back(file.string());
+    return out;
+}
+
 nlohmann::json report_json(const LocalLightReport& report, std::size_t count) {
     return {{"count", count},
             {"file", report.file.string()},
@@ -27,8 +34,21 @@ nlohmann::json report_json(const LocalLightReport& report, std::size_t count) {
 }
 
 void print_report(const char* what, const LocalLightReport& report, std::size_t count) {
-    std::printf("%zu %s: %s %s in %.1f s\n", count, what, report.cached ? "found in" : "written to",
+    if (count == 0) {
+        std::printf("%s: none in the stage\n", what);
+        return;
+    }
+    // "irradiance volumes", of which there may be one.
+    const std::string name = std::string(what).substr(0, std::string(what).size() - (count == 1 ? 1 : 0));
+    std::printf("%zu %s: %s %s in %.1f s\n", count, name.c_str(), report.cached ? "found in" : "written to",
                 report.file.empty() ? "nowhere" : report.file.c_str(), report.seconds);
+}
+
+void print_pictures(const std::vector<std::filesystem::path>& pictures, const std::string& folder) {
+    if (pictures.empty())
+        std::printf("nothing written into %s: pictures are of reflection probes\n", folder.c_str());
+    for (const std::filesystem::path& picture : pictures)
+        std::fprintf(stderr, "candela: wrote %s\n", picture.c_str());
 }
 
 /// Fills the cache that pictures of this scene look into.
@@ -36,6 +56,7 @@ int bake_probes(BakeProbesOptions options) {
     if (options.job.scene_file.empty())
         throw Error(Fault::usage, "needs a scene", "candela bake probes",
                     "candela bake probes SCENE --stage FILE");
+    if (!options.output.empty()) io::check_output_folder(options.output);
     Job job = prepare(options.job);
     const std::size_t volumes = job.scene.irradiance_volumes.size();
     const std::size_t probes = job.scene.reflection_probes.size();
@@ -46,6 +67,7 @@ int bake_probes(BakeProbesOptions options) {
     options.local.quiet = options.json;
     const LocalLightReport irradiance = fill_irradiance_volumes(job, options.local);
     LocalLightReport reflection;
+    std::vector<std::filesystem::path> pictures;
     if (probes > 0) {
         const gpu::Device device(device_options(options.job));
         std::fprintf(stderr, "candela: device: %s\n", device_line(device.info()).c_str());
@@ -53,19 +75,21 @@ int bake_probes(BakeProbesOptions options) {
             device, job,
             {shadows_of(options.job.shadows, "realtime") == Shadows::map, options.job.shadows.atlas_texels},
             options.local);
-        if (!options.output.empty()) write_probe_pictures(job, options.output);
+        if (!options.output.empty()) pictures = write_probe_pictures(job, options.output);
     }
     print_warnings(job.diagnostics);
     if (options.json) {
         const nlohmann::json out{{"version", version()},
                                  {"irradiance_volumes", report_json(irradiance, volumes)},
                                  {"reflection_probes", report_json(reflection, probes)},
+                                 {"pictures", names_json(pictures)},
                                  {"warnings", warnings_json(job.diagnostics)}};
         std::printf("%s\n", out.dump(2).c_str());
         return 0;
     }
-    if (volumes > 0) print_report("irradiance volumes", irradiance, volumes);
-    if (probes > 0) print_report("reflection probes", reflection, probes);
+    print_report("irradiance volumes", irradiance, volumes);
+    print_report("reflection probes", reflection, probes);
+    if (!options.output.empty()) print_pictures(pictures, options.output);
     return 0;
 }
 
@@ -78,6 +102,10 @@ void add_bake_probes(CLI::App& bake, Action& action) {
     command->add_option("scene", options->job.scene_file, "The scene");
     add_scene_options(*command, options->job);
     command->add_option("--profile", options->job.profile, "Of the pictures to come");
+    command
+        ->add_option("--device", options->job.device,
+                     "Of the pictures to come: auto, cpu, an index or a name")
+        ->capture_default_str();
     command->add_option("--samples", options->local.samples, "Paths of each probe of a volume")
         ->check(CLI::Range(16u, 1u << 20))
         ->capture_default_str();
@@ -86,7 +114,11 @@ void add_bake_probes(CLI::App& bake, Action& action) {
     command->add_option("-o,--output", options->output,
                         "A folder for pictures of what the reflection probes see");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
-    command->callback([options, &action] { action = [options] { return bake_probes(*options); }; });
+    command->callback([options, command, &action] {
+        check_environment_options(*command, options->job);
+        check_shadow_options(*command, options->job.shadows, "realtime");
+        action = [options] { return bake_probes(*options); };
+    });
 }
 
 }  // namespace candela::app

@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "job.hpp"
 #include "local_light.hpp"
+#include "option_rules.hpp"
 
 namespace candela::app {
 namespace {
@@ -133,8 +134,12 @@ void add_bench(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 100000));
     command->add_flag(kFirstFrameOnly, options->first_frame_only, "Leave after the first frame")->group("");
     command->callback([command, options, &action] {
+        refuse_before_subcommand(*command);
         if (!command->get_subcommands().empty()) return;
         if (options->job.scene_file.empty()) throw CLI::RequiredError("SCENE");
+        check_environment_options(*command, options->job);
+        check_picture_options(*command);
+        check_shadow_options(*command, options->job.shadows, "realtime");
         action = [options] { return bench(*options); };
     });
 }

@@ -10,6 +10,7 @@
 #include "candela/io/environment_read.hpp"
 #include "candela/measure/filter_error.hpp"
 #include "candela/version.hpp"
+#include "option_rules.hpp"
 
 namespace candela::app {
 namespace {
@@ -121,7 +122,7 @@ void add_bench_bake(CLI::App& bench, Action& action) {
         "ENV", options->environment,
         "Equirectangular .exr or .hdr; without: a sky with a sun of one texel, and the studio");
     command->add_option("--size", options->size, "Texels a side of the finest level, a power of two (256)")
-        ->check(CLI::Range(4u, 2048u));
+        ->check(power_of_two(4, 2048));
     command->add_option("--texels", options->texels, "Texels a level that are held against the integral (24)")
         ->check(CLI::Range(1u, 100000u));
     command->add_option("--runs", options->runs, "Runs to take the median of (5)")

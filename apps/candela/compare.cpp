@@ -6,12 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/measure/report_html.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "compare_maps.hpp"
 #include "compare_pictures.hpp"
+#include "compare_table.hpp"
+#include "option_rules.hpp"
 #include "shading/exposure.glsl"
 #include "shading/tone_curves.glsl"
 
@@ -71,9 +74,7 @@ void check_request(const CompareOptions& options) {
         const std::string e = lower_extension(file);
         if (e != ".png" && e != ".exr" && e != ".html")
             throw Error(Fault::usage, "unknown kind of output", file, ".html, .png or .exr");
-        const auto folder = std::filesystem::path(file).parent_path();
-        if (!folder.empty() && !std::filesystem::is_directory(folder))
-            throw input_error("no such folder", folder.string(), "make it first");
+        io::check_output_file(file);
     }
     const auto scenes = std::count_if(options.inputs.begin(), options.inputs.end(), is_scene);
     if (scenes == 0 && options.inputs.size() < 2)
@@ -257,19 +258,18 @@ void print_table(const Lineup& lineup, const std::vector<measure::Comparison>& c
         std::printf("luminance in cd/m2, shown at EV100 %.2f (%s)\n", double(exposed.ev100), exposed.source);
     else
         std::printf("display values\n");
-    std::printf("%-14s", "");
+    MetricTable table;
     for (std::size_t i = 0; i < lineup.pictures.size(); ++i)
-        if (i != lineup.reference) std::printf("  %14.14s", lineup.pictures[i].name.c_str());
-    std::printf("\n");
+        if (i != lineup.reference) table.pictures.push_back(lineup.pictures[i].name);
     for (const std::string& name : measure::metric_names()) {
         if (name == "hdr-flip" && !luminance) continue;
-        std::printf("%-14s", name.c_str());
-        for (std::size_t i = 0; i < lineup.pictures.size(); ++i) {
-            if (i == lineup.reference) continue;
-            std::printf("  %14.6g", measure::metric_value(comparisons[i].metrics, name).value_or(0.0));
-        }
-        std::printf("\n");
+        MetricTable::Row row{name, {}};
+        for (std::size_t i = 0; i < lineup.pictures.size(); ++i)
+            if (i != lineup.reference)
+                row.values.push_back(measure::metric_value(comparisons[i].metrics, name).value_or(0.0));
+        table.rows.push_back(std::move(row));
     }
+    print(table);
 }
 
 /// One line for each threshold that is missed; JSON of all.
@@ -374,38 +374,16 @@ void add_compare(CLI::App& app, Action& action) {
     command->add_option("--names", options->names, "Names of the pictures, separated by commas")
         ->delimiter(',');
     command->add_option("--exposure", options->exposure_ev100, "EV100 at which luminance is shown")
-        ->check(CLI::Range(-30.0f, 40.0f));
+        ->check(number_in(-30.0, 40.0));
     command->add_option("--pixels-per-degree", options->pixels_per_degree, "How large FLIP sees a pixel")
-        ->check(CLI::Range(1.0, 500.0))
+        ->check(number_in(1.0, 500.0))
         ->capture_default_str();
-    JobOptions& job = options->scene.job;
-    add_scene_options(*command, job);
-    add_picture_options(*command, job);
-    add_device_options(*command, job);
-    command->remove_option(command->get_option("--profile"));
-    command
-        ->add_option(
-            "--profile", options->scene.profiles,
-            "Of a scene (best); may be given several times; truth has the material model of the first")
-        ->take_all();
-    command
-        ->add_option("--samples,--spp", options->scene.samples,
-                     "Samples a pixel of a scene's real-time frame")
-        ->check(CLI::Range(1u, 4096u))
-        ->capture_default_str();
-    command->add_option("--path-spp", options->scene.path_samples, "Samples a pixel of the path tracer")
-        ->check(CLI::Range(1u, 1u << 24))
-        ->capture_default_str();
-    command
-        ->add_option("--integrate-spp", options->scene.integrate_samples, "Samples a pixel of the integrator")
-        ->check(CLI::Range(1u, 4096u))
-        ->capture_default_str();
-    command->add_flag("--direct-only", options->scene.direct_only,
-                      "Path: only light straight from its source, as the frame has it, with shadows");
-    command->add_flag_callback(
-        "--no-truth", [options] { options->scene.truth = false; },
-        "Leave path and integrate out: the first profile is the reference");
-    command->callback([options, &action] { action = [options] { return compare(*options); }; });
+    add_compared_scene_options(*command, options->scene);
+    command->callback([options, command, &action] {
+        check_compare_options(*command, options->scene,
+                              std::any_of(options->inputs.begin(), options->inputs.end(), is_scene));
+        action = [options] { return compare(*options); };
+    });
 }
 
 }  // namespace candela::app

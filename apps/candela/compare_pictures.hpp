@@ -34,6 +34,12 @@ struct SceneOptions {
     std::uint32_t integrate_samples = 16;
 };
 
+void add_compared_scene_options(CLI::App& command, SceneOptions& options);
+
+/// Refuses what contradicts or could have no effect on a scene, or on pictures what is a scene's. Throws
+/// Error (Fault::usage).
+void check_compare_options(const CLI::App& command, const SceneOptions& options, bool scene);
+
 /// The pictures of a scene, the reference first. Throws Error.
 [[nodiscard]] std::vector<NamedPicture> render_pictures(const SceneOptions& options,
                                                         Diagnostics& diagnostics);

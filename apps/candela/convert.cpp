@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/io/gltf_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "command.hpp"
 #include "job.hpp"
@@ -37,6 +38,7 @@ void warn_of_the_stage(const io::Stage& stage, Diagnostics& diagnostics) {
 
 int convert(const ConvertOptions& options) {
     check_output(options);
+    io::check_output_file(options.out_file);
     Diagnostics diagnostics;
     const StagedScene staged = load_staged_scene(options, diagnostics);
     warn_of_the_stage(staged.stage, diagnostics);
@@ -45,6 +47,8 @@ int convert(const ConvertOptions& options) {
     if (options.json) {
         const nlohmann::json out{{"file", options.out_file}, {"warnings", warnings_json(diagnostics)}};
         std::printf("%s\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    } else {
+        std::fprintf(stderr, "candela: wrote %s\n", options.out_file.c_str());
     }
     return 0;
 }

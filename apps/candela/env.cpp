@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/io/staging_folder.hpp"
 #include "candela/measure/numerics.hpp"
 #include "candela/scene/environment_sources.hpp"
@@ -15,6 +16,7 @@
 #include "command.hpp"
 #include "environment_option.hpp"
 #include "job.hpp"
+#include "option_rules.hpp"
 #include "shading/environment.glsl"
 
 namespace candela::app {
@@ -192,6 +194,7 @@ int calibrate(const EnvOptions& options) {
         throw Error(Fault::usage, "out of range", "--value", "cd/m2, above 0, to 1e+12");
     if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".exr")
         throw Error(Fault::usage, "not a name of an EXR file: " + options.output, "-o", "FILE.exr");
+    if (!options.output.empty()) io::check_output_file(options.output);
     Diagnostics diagnostics;
     Environment e = environment_picture(options.file, options.how, diagnostics);
     const double mean = mean_luminance(e, options.card);
@@ -231,6 +234,7 @@ double total_lx(const Environment& e) {
 int split(const EnvOptions& options) {
     if (!(options.contrast >= 2.0f && options.contrast <= 1e9f))
         throw Error(Fault::usage, "out of range", "--contrast", "2 to 1e+09");
+    io::check_output_folder(options.output);
     Diagnostics diagnostics;
     Environment e = read(options, diagnostics);
     const double before_lx = total_lx(e);
@@ -276,7 +280,11 @@ CLI::App* add_verb(CLI::App& env, const std::string& name, const std::string& te
     verb->add_option("ENV", o->file, "An environment, as --env of render takes it")->required();
     add_environment_file_options(*verb, o->how);
     verb->add_flag("--json", o->json, "Print one JSON object on standard output");
-    verb->callback([o, &action, run] { action = [o, run] { return run(*o); }; });
+    verb->callback([o, verb, &action, run] {
+        check_environment_reading(*verb, o->file);
+        refuse_together(*verb, {"--env-scale", "--env-lux"});
+        action = [o, run] { return run(*o); };
+    });
     return verb;
 }
 

@@ -8,6 +8,8 @@
 #include "command.hpp"
 #include "job.hpp"
 #include "light_info.hpp"
+#include "option_rules.hpp"
+#include "probe_info.hpp"
 
 namespace candela::app {
 namespace {
@@ -47,12 +49,18 @@ json scene_json(const JobOptions& options) {
     StagedScene staged = load_staged_scene(options, job.diagnostics);
     job.scene = std::move(staged.scene);
     // What a picture would have in its place, the studio, is not in the scene.
-    if (!options.environment.empty() || staged.stage.environment) set_environment(options, staged.stage, job);
+    if (!options.environment.empty() || staged.stage.environment)
+        set_environment(options, staged.stage, job);
+    else
+        refuse_options_of_no_environment(options, "the scene");
     const scene::Scene& scene = job.scene;
-    json out{{"file", options.scene_file},    {"triangles", scene::triangle_count(scene)},
-             {"meshes", scene.meshes.size()}, {"instances", scene.instances.size()},
-             {"materials", json::array()},    {"lights", json::array()},
-             {"cameras", json::array()}};
+    json out{{"file", options.scene_file},
+             {"triangles", scene::triangle_count(scene)},
+             {"meshes", scene.meshes.size()},
+             {"instances", scene.instances.size()}};
+    for (const char* list :
+         {"materials", "lights", "emissive_surfaces", "reflection_probes", "irradiance_volumes", "cameras"})
+        out[list] = json::array();
     const scene::Aabb bounds = scene::world_bounds(scene);
     if (!bounds.empty()) {
         out["bounds_m"] = {{bounds.min.x, bounds.min.y, bounds.min.z},
@@ -60,6 +68,11 @@ json scene_json(const JobOptions& options) {
     }
     for (const scene::Material& m : scene.materials) out["materials"].push_back(m.name);
     for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light, scene));
+    for (const auto& surface : realtime::emissive_surfaces(scene))
+        out["emissive_surfaces"].push_back(emissive_json(surface, scene));
+    for (const auto& probe : scene.reflection_probes) out["reflection_probes"].push_back(probe_json(probe));
+    for (const auto& volume : scene.irradiance_volumes)
+        out["irradiance_volumes"].push_back(volume_json(volume));
     for (const scene::Camera& camera : scene.cameras) out["cameras"].push_back(camera.name);
     if (scene.environment) {
         const scene::Environment& e = *scene.environment;
@@ -86,6 +99,9 @@ void print_scene(const json& s) {
     for (const json& light : s["lights"]) {
         for (const std::string& line : light_lines(light)) std::printf("%s\n", line.c_str());
     }
+    for (const json& surface : s["emissive_surfaces"]) std::printf("%s\n", emissive_line(surface).c_str());
+    for (const json& probe : s["reflection_probes"]) std::printf("%s\n", probe_line(probe).c_str());
+    for (const json& volume : s["irradiance_volumes"]) std::printf("%s\n", volume_line(volume).c_str());
     if (s.contains("environment")) {
         const json& e = s["environment"];
         std::printf("  environment %s, %ux%u, %.6g lx on an up-facing plane\n",
@@ -129,7 +145,13 @@ void add_info(CLI::App& app, Action& action) {
     add_environment_options(*command, *options);
     add_scene_file_options(*command, *options);
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
-    command->callback([options, &action] { action = [options] { return info(*options); }; });
+    command->callback([options, command, &action] {
+        check_environment_options(*command, *options);
+        if (options->scene_file.empty())
+            refuse_without_effect(*command, {"--env", "--stage", "--light-scale", "--light-units", "--time"},
+                                  "without a scene", "candela info SCENE.glb");
+        action = [options] { return info(*options); };
+    });
 }
 
 }  // namespace candela::app

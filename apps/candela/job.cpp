@@ -6,14 +6,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "candela/bake/environment.hpp"
-#include "candela/bake/sky.hpp"
-#include "candela/io/environment_read.hpp"
 #include "candela/io/image_read.hpp"
-#include "candela/scene/environment_sources.hpp"
+#include "candela/io/json_reader.hpp"
 #include "candela/scene/error.hpp"
+#include "option_rules.hpp"
 #include "shading/tone_curves.glsl"
-#include "sky_option.hpp"
 
 namespace candela::app {
 namespace {
@@ -81,15 +78,24 @@ std::uint32_t parse_tone_curve(const std::string& name) {
     return shading::kToneNeutral;
 }
 
+/// What a profile's file starts from: a mistake there is the file's and not the command line's.
+realtime::Profile base_of(const nlohmann::json& json, const std::string& file) {
+    if (!json.contains("base")) return realtime::profile_by_name("best", file);
+    const std::string where = file + ": /base";
+    if (!json["base"].is_string()) throw input_error("a profile's name is a string", where);
+    try {
+        return realtime::profile_by_name(json["base"].get<std::string>(), where);
+    } catch (const Error& error) {
+        throw input_error(error.what(), error.where(), error.hint());
+    }
+}
+
 realtime::Profile load_profile(const std::string& name) {
-    if (!name.ends_with(".json")) return realtime::profile_by_name(name);
-    const auto bytes = io::read_file(name, 1u << 20);
-    const char* text = reinterpret_cast<const char*>(bytes.data());
-    const auto json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false, true);
+    if (!name.ends_with(".json")) return realtime::profile_by_name(name, "--profile");
+    const auto json = io::parse_json(io::read_file(name, 1u << 20), name, true);
     if (!json.is_object())
         throw input_error("not a JSON object", name, "{\"base\": \"best\", \"diffuse\": \"disney\"}");
-    realtime::Profile profile =
-        realtime::profile_by_name(json.contains("base") && json["base"].is_string() ? json["base"] : "best");
+    realtime::Profile profile = base_of(json, name);
     profile.name = std::filesystem::path(name).stem().string();
     for (const auto& [slot, technique] : json.items()) {
         if (slot == "base") continue;
@@ -100,40 +106,21 @@ realtime::Profile load_profile(const std::string& name) {
     return profile;
 }
 
-/// A sky's picture as the environment; its sun goes with it.
-void set_sky(const scene::SkySettings& settings, Job& job, std::optional<scene::Light>& sun) {
-    bake::Sky sky = bake::sky_of(settings);
-    job.scene.environment = std::move(sky.environment);
-    sun = std::move(sky.sun);
-}
-
-/// What the stage says; returns the illuminance that it asks for, 0 to leave the scale as it is.
-float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun) {
-    if (e.sky)
-        set_sky(*e.sky, job, sun);
-    else
-        job.scene.environment = e.file.empty() ? bake::studio_environment()
-                                               : io::read_environment(e.file, job.diagnostics, e.options);
-    job.scene.environment->scale = e.scale;
-    job.scene.environment->rotation_rad = e.rotation_rad;
-    job.scene.environment->visible = e.visible;
-    return e.illuminance_lx.value_or(0.0f);
-}
-
-/// Scales an environment and its sun so that an up-facing plane receives this from both.
-void scale_to_illuminance(float lux, const std::optional<scene::Light>& sun, scene::Environment& e) {
-    e.scale = 1.0f;
-    float now_lx = bake::upward_illuminance_lx(e);
-    if (sun) now_lx += sun->intensity * std::max(-sun->direction.y, 0.0f);
-    if (!(now_lx > 0.0f)) throw input_error("the environment gives no light", e.name, "leave --env-lux out");
-    e.scale = lux / now_lx;
-}
-
 glm::vec3 vector_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
 
-scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, const Job& job) {
+/// A camera of the scene, through another lens where one is asked for.
+scene::Camera with_focal(scene::Camera camera, const std::optional<float>& focal_mm) {
+    if (!focal_mm) return camera;
+    if (camera.projection != scene::Projection::perspective)
+        throw usage("an orthographic camera has no focal length: " + camera.name, "--focal-mm",
+                    "--look-from x,y,z, or another --camera");
+    camera.yfov_rad = scene::yfov_from_focal_mm(*focal_mm);
+    return camera;
+}
+
+scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, Job& job) {
     const float aspect = static_cast<float>(job.width) / static_cast<float>(job.height);
     const scene::Aabb bounds = scene::world_bounds(job.scene);
     std::optional<float> focal_mm = options.focal_mm ? options.focal_mm : stage.camera.focal_mm;
@@ -147,12 +134,14 @@ scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, c
     if (!name.empty() && options.look_from.empty()) {
         std::string known;
         for (const scene::Camera& camera : job.scene.cameras) {
-            if (camera.name == name) return camera;
+            if (camera.name == name) return with_focal(camera, focal_mm);
             known += (known.empty() ? "" : ", ") + camera.name;
         }
         throw input_error("no camera of this name: " + name, options.scene_file,
                           known.empty() ? "the scene has no cameras" : "it has " + known);
     }
+    if (!options.look_at.empty() && !from)
+        throw usage("needs a place to look from", "--look-at", "--look-from x,y,z");
     if (from) {
         const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
         const glm::vec3 target = at.value_or(center);
@@ -161,11 +150,13 @@ scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, c
         }
         return scene::look_at(*from, target, yfov);
     }
-    if (!job.scene.cameras.empty()) {
-        scene::Camera camera = job.scene.cameras.front();
-        if (focal_mm) camera.yfov_rad = yfov;
-        return camera;
-    }
+    if (!job.scene.cameras.empty()) return with_focal(job.scene.cameras.front(), focal_mm);
+    if (options.focal_mm)
+        throw usage("has no effect: the scene has no camera and is framed as a whole", "--focal-mm",
+                    "--look-from x,y,z");
+    if (focal_mm)
+        job.diagnostics.warn(
+            "the stage's focal_mm has no effect: without a camera the scene is framed as a whole");
     return scene::frame_bounds(bounds, aspect);
 }
 
@@ -194,64 +185,9 @@ scene::Exposure choose_exposure(const JobOptions& options, const io::Stage& stag
 
 }  // namespace
 
-void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
-    float lux = 0.0f;  // 0: leave the scale as it is
-    std::optional<scene::Light> sun;
-    const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
-    const bool stage_counts = options.environment.empty() && stage.environment;
-    if (options.environment == "none" || (stage_counts && stage.environment->none)) {
-        job.scene.environment.reset();
-        return;
-    }
-    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
-    if (sky)
-        set_sky(*sky, job, sun);
-    else if (options.environment == "studio")
-        job.scene.environment = bake::studio_environment();
-    else if (!options.environment.empty())
-        job.scene.environment =
-            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file));
-    if (!job.scene.environment && job.scene.lights.empty()) {
-        job.scene.environment = bake::studio_environment();
-        job.diagnostics.warn(
-            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
-    }
-    if (!job.scene.environment) return;
-    scene::Environment& e = *job.scene.environment;
-    if (options.env_scale) e.scale = *options.env_scale;
-    if (options.env_rotate_deg) e.rotation_rad = *options.env_rotate_deg * shading::PI / 180.0f;
-    if (options.env_visible) e.visible = *options.env_visible;
-    if (options.env_lux) lux = *options.env_lux;
-    if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
-    if (sun) {
-        bake::follow_environment(*sun, e);
-        job.scene.lights.push_back(std::move(*sun));
-        return;
-    }
-    const bool stage_keeps = stage_counts && stage.environment->keep_sun;
-    if (!options.env_keep_sun && !stage_keeps) (void)scene::split_sun(job.scene);
-}
-
 void add_scene_options(CLI::App& command, JobOptions& o) {
     add_scene_file_options(command, o);
     add_environment_options(command, o);
-}
-
-void add_environment_options(CLI::App& command, JobOptions& o) {
-    command.add_option("--env", o.environment,
-                       "Environment: .hdr, .exr, .ktx2, .dds, a folder of cube faces, NAME_{face}.exr, sky, "
-                       "sky:KEY=VALUE,..., studio or none");
-    add_environment_file_options(command, o.env_file);
-    command.add_flag("--env-keep-sun", o.env_keep_sun,
-                     "Leave a sun in the environment instead of making it a light that casts a shadow");
-    command.add_option("--env-scale", o.env_scale, "Multiplies the environment's luminance");
-    command.add_option("--env-rotate", o.env_rotate_deg, "Degrees about +Y, counter-clockwise from above");
-    command.add_option("--env-lux", o.env_lux, "Scales the environment to this up-facing illuminance in lx");
-    command.add_flag_callback(
-        "--env-visible", [&o] { o.env_visible = true; }, "Draw the environment as background");
-    command.add_flag_callback(
-        "--env-hidden", [&o] { o.env_visible = false; },
-        "Leave the background black, with the environment's light");
 }
 
 void add_picture_options(CLI::App& command, JobOptions& o) {
@@ -260,15 +196,15 @@ void add_picture_options(CLI::App& command, JobOptions& o) {
     command.add_option("--look-from", o.look_from, "x,y,z of the camera in m")->delimiter(',')->expected(3);
     command.add_option("--look-at", o.look_at, "x,y,z that it looks at")->delimiter(',')->expected(3);
     command.add_option("--focal-mm", o.focal_mm, "Focal length on a 36x24 mm sensor")
-        ->check(CLI::Range(1.0f, 5000.0f));
-    command.add_option("--aperture", o.aperture_f, "N of f/N")->check(CLI::Range(0.1f, 1000.0f));
+        ->check(number_in(1.0, 5000.0));
+    command.add_option("--aperture", o.aperture_f, "N of f/N")->check(number_in(0.1, 1000.0));
     command.add_option("--shutter", o.shutter_s, "Exposure time in s, such as 1/125");
-    command.add_option("--iso", o.iso, "Sensitivity")->check(CLI::Range(1.0f, 1e7f));
-    command.add_option("--ev100", o.ev100, "Exposure value at ISO 100");
+    command.add_option("--iso", o.iso, "Sensitivity")->check(number_in(1.0, 1e7));
+    command.add_option("--ev100", o.ev100, "Exposure value at ISO 100")->check(number_in(-30.0, 40.0));
     command.add_flag("--auto-exposure", o.auto_exposure,
                      "Meter the picture (the default when nothing else is said)");
     command.add_option("--exposure-compensation", o.exposure_compensation, "Stops; positive brightens")
-        ->check(CLI::Range(-30.0f, 30.0f));
+        ->check(number_in(-30.0, 30.0));
     command.add_option("--profile", o.profile, "best, frostbite, ue4, mobile or FILE.json")
         ->capture_default_str();
     command.add_option("--tonemap", o.tonemap, "Tone curve of PNG files")

@@ -53,6 +53,17 @@ void add_scene_options(CLI::App& command, JobOptions& options);
 void add_picture_options(CLI::App& command, JobOptions& options);
 void add_device_options(CLI::App& command, JobOptions& options);
 
+/// What contradicts or could have no effect, refused while parsing, before a file is opened. Throws Error
+/// (Fault::usage), as all of these.
+void check_environment_options(const CLI::App& command, const JobOptions& options);
+/// How a file is read says nothing about an environment that is none.
+void check_environment_reading(const CLI::App& command, const std::string& environment);
+void check_picture_options(const CLI::App& command);
+void check_shadow_options(const CLI::App& command, const ShadowRequestOptions& options,
+                          const std::string& mode);
+/// `where` is what turned out to have no environment.
+void refuse_options_of_no_environment(const JobOptions& options, const std::string& where);
+
 struct Job {
     scene::Scene scene;
     scene::Camera camera;

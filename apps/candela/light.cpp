@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/io/photometric.hpp"
 #include "candela/measure/numerics.hpp"
 #include "candela/measure/polar_plot.hpp"
 #include "candela/scene/error.hpp"
 #include "command.hpp"
 #include "job.hpp"
+#include "option_rules.hpp"
 
 namespace candela::app {
 namespace {
@@ -195,6 +197,7 @@ void write_plot(const PhotometricProfile& profile, const LightOptions& options) 
 }
 
 int light(const LightOptions& options) {
+    if (!options.plot.empty()) io::check_output_file(options.plot);
     Diagnostics diagnostics;
     const PhotometricProfile profile =
         io::load_photometric(options.file, diagnostics, {options.lamp_set - 1});
@@ -214,8 +217,7 @@ int light(const LightOptions& options) {
 }
 
 std::string check_plot_name(const std::string& name) {
-    return name.ends_with(".svg") || name.ends_with(".png") ? ""
-                                                            : "--plot: " + name + " is neither .svg nor .png";
+    return name.ends_with(".svg") || name.ends_with(".png") ? "" : name + " is neither .svg nor .png";
 }
 
 }  // namespace
@@ -230,7 +232,11 @@ void add_light(CLI::App& app, Action& action) {
         ->check(CLI::Range(std::size_t{1}, std::size_t{20}));
     command->add_flag("--per-klm", options->per_klm, "Diagram for 1000 lm of the lamps instead of in cd");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
-    command->callback([options, &action] { action = [options] { return light(*options); }; });
+    command->callback([options, command, &action] {
+        if (!given(*command, "--plot"))
+            refuse_without_effect(*command, {"--per-klm"}, "without a diagram", "--plot FILE.svg");
+        action = [options] { return light(*options); };
+    });
 }
 
 }  // namespace candela::app

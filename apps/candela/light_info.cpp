@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "candela/scene/light_units.hpp"
+#include "shading/exposure.glsl"
+#include "shading/sampling.glsl"
 
 namespace candela::app {
 namespace {
@@ -139,6 +141,29 @@ std::vector<std::string> light_lines(const json& light) {
     if (light.contains("emitted_lm") && light["emitted_lm"] != light["power_lm"])
         second += ", emits " + format("%.6g lm", light["emitted_lm"].get<double>());
     return {first, second};
+}
+
+json emissive_json(const realtime::EmissiveSurface& surface, const scene::Scene& scene) {
+    const scene::Material& material = scene.materials[surface.material];
+    const double nit = double(shading::luminance(glm::vec3(surface.mean_nit)));
+    const double sides = material.double_sided ? 2.0 : 1.0;
+    return {{"name", scene.instances[surface.instance].name},
+            {"material", material.name},
+            {"triangles", surface.triangles},
+            {"area_m2", surface.area_m2},
+            {"two_sided", material.double_sided},
+            {"luminance_nit", nit},
+            {"power_lm", double(shading::PI) * nit * surface.area_m2 * sides}};
+}
+
+std::string emissive_line(const json& s) {
+    return "  glowing  " + s["name"].get<std::string>() + ": " +
+           format("%.0f triangles", s["triangles"].get<double>()) +
+           format(", %.4g m2", s["area_m2"].get<double>()) +
+           (s["two_sided"].get<bool>() ? ", two-sided" : "") + " (material " +
+           s["material"].get<std::string>() + ")\n           " +
+           format("%.6g lm", s["power_lm"].get<double>()) +
+           format(", %.6g cd/m2", s["luminance_nit"].get<double>());
 }
 
 }  // namespace candela::app

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "candela/realtime/emissive_lights.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::app {
@@ -13,5 +14,10 @@ namespace candela::app {
 
 /// The same for people: a first line, and its quantities below.
 [[nodiscard]] std::vector<std::string> light_lines(const nlohmann::json& light);
+
+/// A surface that glows, as a light.
+[[nodiscard]] nlohmann::json emissive_json(const realtime::EmissiveSurface& surface,
+                                           const scene::Scene& scene);
+[[nodiscard]] std::string emissive_line(const nlohmann::json& surface);
 
 }  // namespace candela::app

@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <span>
+#include <sstream>
 
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_write.hpp"
@@ -12,6 +14,7 @@
 #include "candela/realtime/probe_capture.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/truth/irradiance_bake.hpp"
+#include "candela/truth/volume_survey.hpp"
 #include "fingerprint.hpp"
 #include "path_mode.hpp"
 
@@ -67,6 +70,45 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// In a share of a hundred, of what a warning tells.
+std::string percent(double share) {
+    return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// What is wrong with where the volumes stand, a line each; only what is plain to see.
+std::string notes_of(const scene::Scene& scene) {
+    constexpr double notable_outside = 0.1;
+    constexpr double notable_uncovered = 0.2;
+    const truth::VolumeSurvey survey = truth::survey_volumes(scene);
+    std::string notes;
+    for (std::size_t i = 0; i < survey.outside.size(); ++i) {
+        if (survey.outside[i] < notable_outside) continue;
+        const std::string& name = scene.irradiance_volumes[i].name;
+        notes += "irradiance volume " + (name.empty() ? "without a name" : "\"" + name + "\"") + ": " +
+                 percent(survey.outside[i]) +
+                 " of its probes stand outside of the walls (let its box end at them: center, size_m)\n";
+    }
+    if (survey.uncovered >= notable_uncovered)
+        notes += percent(survey.uncovered) +
+                 " of the surfaces of the rooms lie outside of every irradiance " +
+                 "volume: the distant light comes to them through the walls (a larger volume, or one more)\n";
+    return notes;
+}
+
+/// The notes that were made when the volumes were baked, or new ones.
+void warn_of_volumes(std::filesystem::path file, Job& job) {
+    if (!file.empty()) file.replace_extension("notes");
+    // A file of no notes ends with its mark all the same: what is cut off is nothing.
+    constexpr const char* end = "end\n";
+    std::string notes = read_cache(file);
+    if (!notes.ends_with(end)) {
+        notes = notes_of(job.scene) + end;
+        write_cache(file, notes);
+    }
+    std::istringstream lines(notes);
+    for (std::string line; std::getline(lines, line) && line != "end";) job.diagnostics.warn(line);
+}
+
 }  // namespace
 
 LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& options) {
@@ -89,6 +131,7 @@ LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& opti
         (void)io::decode_irradiance(bytes, key, volumes);
         write_cache(report.file, bytes);
     }
+    warn_of_volumes(options.refresh ? std::filesystem::path{} : report.file, job);
     report.seconds = seconds_since(start);
     return report;
 }

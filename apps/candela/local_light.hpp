@@ -32,10 +32,10 @@ LocalLightReport fill_reflection_probes(const gpu::Device& device, Job& job,
                                         const realtime::ShadowOptions& shadows,
                                         const LocalLightOptions& options);
 
-/// Writes what each reflection probe sees into a folder, which is made if missing: PROBE.png,
-/// equirectangular, its colour above, exposed for the picture's own mean, and below where it sees anything
-/// but sky.
-void write_probe_pictures(const Job& job, const std::filesystem::path& folder);
+/// Writes what each reflection probe sees into a folder, which is made if missing, and returns the files:
+/// PROBE.png, equirectangular, its colour above, exposed for the picture's own mean, and below where it sees
+/// anything but sky.
+std::vector<std::filesystem::path> write_probe_pictures(const Job& job, const std::filesystem::path& folder);
 
 /// Both, in this order: the probes see the volumes' light.
 void fill_local_light(const gpu::Device& device, Job& job, const realtime::ShadowOptions& shadows);

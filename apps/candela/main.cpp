@@ -5,6 +5,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "option_rules.hpp"
 
 namespace {
 
@@ -28,12 +29,15 @@ int run(int argc, char** argv) {
     candela::app::add_validate(app, action);
     candela::app::add_light(app, action);
     candela::app::add_env(app, action);
+    // Before any command looks at its options.
+    app.parse_complete_callback([&app] { candela::app::refuse_empty_values(app); });
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         if (asked) return app.exit(error);
-        return fail(std::string(error.what()) + " (candela --help)", candela::Fault::usage);
+        const std::string line = candela::app::parse_error_line(app, error, {argv + 1, argv + argc});
+        return fail(candela::Error(candela::Fault::usage, line).line(), candela::Fault::usage);
     }
     return action();
 }

@@ -12,6 +12,7 @@
 #include "frame_mode.hpp"
 #include "job.hpp"
 #include "local_light.hpp"
+#include "option_rules.hpp"
 #include "path_mode.hpp"
 #include "shading/exposure.glsl"
 
@@ -73,6 +74,26 @@ Way way_of(const MeterOptions& o) {
     }
     if (!o.at.empty()) return Way::incident;
     return o.pixel.empty() ? Way::spot : Way::pixel;
+}
+
+/// What only a picture that is shown has.
+const std::vector<std::string>& of_pictures() {
+    static const std::vector<std::string> names{"--aperture", "--shutter",       "--iso",
+                                                "--ev100",    "--auto-exposure", "--exposure-compensation",
+                                                "--tonemap"};
+    return names;
+}
+
+void check_options(const CLI::App& command, const MeterOptions& options) {
+    check_environment_options(command, options.job);
+    check_picture_options(command);
+    check_shadow_options(command, options.job.shadows, options.mode);
+    if (options.pixel.empty())
+        refuse_without_effect(command, {"--size", "--camera", "--look-from", "--look-at", "--focal-mm"},
+                              "without a picture whose pixel is read", "--pixel x,y");
+    if (options.from.empty())
+        refuse_without_effect(command, {"--field-deg"}, "but on a spot meter",
+                              "--from x,y,z --towards x,y,z");
 }
 
 Reading mean_of(const std::vector<glm::vec4>& pixels) {
@@ -226,7 +247,7 @@ void add_meter(CLI::App& app, Action& action) {
         ->delimiter(',')
         ->expected(3);
     command->add_option("--field-deg", o->field_deg, "Side of the square field of the spot meter")
-        ->check(CLI::Range(1e-3f, 120.0f))
+        ->check(number_in(1e-3, 120.0))
         ->capture_default_str();
     command->add_option("--mode", o->mode, "path (truth), integrate or realtime")
         ->check(CLI::IsMember({"path", "integrate", "realtime"}))
@@ -239,7 +260,12 @@ void add_meter(CLI::App& app, Action& action) {
     add_scene_options(*command, o->job);
     add_picture_options(*command, o->job);
     add_device_options(*command, o->job);
-    command->callback([o, &action] { action = [o] { return meter(*o); }; });
+    // A meter reads what is there, whatever a camera would make of it.
+    for (const std::string& option : of_pictures()) command->remove_option(command->get_option(option));
+    command->callback([o, command, &action] {
+        check_options(*command, *o);
+        action = [o] { return meter(*o); };
+    });
 }
 
 }  // namespace candela::app

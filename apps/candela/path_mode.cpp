@@ -15,6 +15,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/truth/render_path.hpp"
 #include "fingerprint.hpp"
+#include "option_rules.hpp"
 #include "shading/exposure.glsl"
 
 namespace candela::app {
@@ -221,11 +222,11 @@ shading::BsdfTechniques path_techniques(const realtime::Profile& p) {
 void add_path_options(CLI::App& command, PathModeOptions& o) {
     command
         .add_option("--time-limit", o.time_limit_s, "Path: seconds after which the picture so far will do")
-        ->check(CLI::PositiveNumber);
+        ->check(number_in(1e-9, 1e9));
     command
         .add_option("--target-error", o.target_error,
                     "Path: estimated relative error at which a tile needs no more samples, such as 0.02")
-        ->check(CLI::Range(1e-6, 10.0));
+        ->check(number_in(1e-6, 10.0));
     command.add_option("--max-bounces", o.max_bounces, "Path: surfaces that light may meet on its way (64)")
         ->check(CLI::Range(0, 100000));
     command.add_flag("--direct-only", o.direct_only, "Path: only light straight from its source");
@@ -234,17 +235,29 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
     command.add_flag("--depth-of-field", o.depth_of_field, "Path: blur by the camera's aperture");
     command
         .add_option("--focus-m", o.focus_m, "Path: distance in focus in m; the middle of the picture without")
-        ->check(CLI::Range(1e-3f, 1e6f));
+        ->check(number_in(1e-3, 1e6));
     command.add_option("--checkpoint", o.checkpoint, "Path: file that keeps the work so far (OUTPUT.part)");
     command
         .add_option("--checkpoint-every", o.checkpoint_every_s, "Path: seconds between two of its versions")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(number_in(0.0, 1e6))
         ->capture_default_str();
 }
 
-bool any_path_option(const PathModeOptions& o) {
-    return o.time_limit_s || o.target_error || o.max_bounces || o.direct_only || o.furnace ||
-           o.depth_of_field || o.focus_m || !o.checkpoint.empty();
+void check_path_options(const CLI::App& command, const ShadowRequestOptions& shadows,
+                        const std::string& mode) {
+    if (mode != "path")
+        refuse_without_effect(
+            command,
+            {"--time-limit", "--target-error", "--max-bounces", "--direct-only", "--furnace",
+             "--depth-of-field", "--focus-m", "--checkpoint", "--checkpoint-every"},
+            "in the mode " + mode + ": it is the path tracer's", "--mode path");
+    refuse_together(command, {"--direct-only", "--max-bounces"});
+    if (shadows.way == "none") refuse_together(command, {"--shadows", "--max-bounces"});
+    for (const char* light : {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible",
+                              "--env-hidden", "--env-keep-sun", "--light-scale", "--light-units"})
+        refuse_together(command, {"--furnace", light});
+    if (!given(command, "--depth-of-field"))
+        refuse_without_effect(command, {"--focus-m"}, "without a lens", "--depth-of-field");
 }
 
 PathModePicture render_by_path(Job& job, const JobOptions& options, const PathModeOptions& path,

@@ -30,8 +30,10 @@ void add_path_options(CLI::App& command, PathModeOptions& options);
 /// The material model of a profile, for the path tracer.
 [[nodiscard]] shading::BsdfTechniques path_techniques(const realtime::Profile& profile);
 
-/// True when an option is given that only the path tracer knows.
-[[nodiscard]] bool any_path_option(const PathModeOptions& options);
+/// Refuses what contradicts or could have no effect in the mode, what only the path tracer knows in others.
+/// Throws Error (Fault::usage).
+void check_path_options(const CLI::App& command, const ShadowRequestOptions& shadows,
+                        const std::string& mode);
 
 struct PathModePicture {
     realtime::Still still;

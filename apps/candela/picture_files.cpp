@@ -1,7 +1,5 @@
 #include "picture_files.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -9,8 +7,10 @@
 #include <map>
 
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "option_rules.hpp"
 #include "shading/tone_curves.glsl"
 #include "shading/transfer.glsl"
 
@@ -168,14 +168,9 @@ void check_outputs(const PictureFileOptions& options) {
         const std::string e = extension(file);
         if (e != ".png" && e != ".exr")
             throw Error(Fault::usage, "unknown kind of picture", file, ".png or .exr");
-        const auto folder = std::filesystem::path(file).parent_path();
-        if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-            throw input_error("no such folder", folder.string(), "make it first");
-        }
-        const std::string into = folder.empty() ? "." : folder.string();
-        if (access(into.c_str(), W_OK) != 0)
-            throw input_error("nothing can be written into this folder", into);
-        if (std::filesystem::is_directory(file)) throw input_error("is a folder, not a picture", file);
+        if (std::count(options.outputs.begin(), options.outputs.end(), file) > 1)
+            throw Error(Fault::usage, "is given twice", file, "each picture once");
+        io::check_output_file(file);
     }
     const auto known = aov_names();
     for (const std::string& aov : options.aovs) {
@@ -184,6 +179,17 @@ void check_outputs(const PictureFileOptions& options) {
         for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
         throw Error(Fault::usage, "no such AOV: " + aov, "--aov", list);
     }
+}
+
+void check_picture_file_options(const CLI::App& command, const PictureFileOptions& options) {
+    const auto none = [&](const char* kind) {
+        return std::none_of(options.outputs.begin(), options.outputs.end(),
+                            [&](const std::string& file) { return extension(file) == kind; });
+    };
+    if (none(".exr"))
+        refuse_without_effect(command, {"--aov", "--exr-type"}, "without an EXR file", "-o FILE.exr");
+    if (none(".png"))
+        refuse_without_effect(command, {"--png-bits", "--tonemap"}, "without a PNG file", "-o FILE.png");
 }
 
 void write_pictures(const PictureFileOptions& options, const Job& job, const realtime::Still& still,

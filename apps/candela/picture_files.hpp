@@ -19,8 +19,11 @@ struct PictureFileOptions {
 /// Names that --aov knows, in the order of the layers.
 [[nodiscard]] std::vector<std::string> aov_names();
 
-/// Throws Error (Fault::usage) for an extension or AOV that does not exist, before anything is rendered.
+/// Throws Error for an extension, an AOV or a folder that does not exist, before anything is rendered.
 void check_outputs(const PictureFileOptions& options);
+
+/// Refuses options of a kind of file that is not written. Throws Error (Fault::usage).
+void check_picture_file_options(const CLI::App& command, const PictureFileOptions& options);
 
 /// A plane that only some modes have: sample_count and variance of the path tracer.
 struct ExtraLayer {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "candela/io/image_write.hpp"
-#include "candela/scene/error.hpp"
+#include "candela/io/output_folder.hpp"
 #include "local_light.hpp"
 #include "shading/environment.glsl"
 #include "shading/octahedral.glsl"
@@ -54,25 +54,30 @@ std::vector<std::uint8_t> picture_of(const scene::ProbeCapture& capture) {
 }
 
 /// A probe's name without what a file's may not have.
-std::string file_name(const scene::ReflectionProbe& probe, std::size_t index) {
+std::string stem_of(const scene::ReflectionProbe& probe, std::size_t index) {
     std::string name = probe.name.empty() ? "probe " + std::to_string(index) : probe.name;
     for (char& c : name) {
         if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 32) c = '_';
     }
-    return (name[0] == '.' ? "_" : "") + name + ".png";
+    return (name[0] == '.' ? "_" : "") + name;
 }
 
 }  // namespace
 
-void write_probe_pictures(const Job& job, const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw input_error("the folder cannot be made: " + failure.message(), folder.string());
+std::vector<std::filesystem::path> write_probe_pictures(const Job& job, const std::filesystem::path& folder) {
+    (void)io::make_output_folder(folder);
+    std::vector<std::filesystem::path> files;
     for (std::size_t i = 0; i < job.scene.reflection_probes.size(); ++i) {
         const scene::ReflectionProbe& probe = job.scene.reflection_probes[i];
-        io::write_png(folder / file_name(probe, i), kWidth, 2 * kHeight,
+        const std::string stem = stem_of(probe, i);
+        files.push_back(folder / (stem + ".png"));
+        // Probes of one name are told apart.
+        if (std::count(files.begin(), files.end(), files.back()) > 1)
+            files.back() = folder / (stem + " " + std::to_string(i) + ".png");
+        io::write_png(files.back(), kWidth, 2 * kHeight,
                       std::span<const std::uint8_t>(picture_of(probe.capture)));
     }
+    return files;
 }
 
 }  // namespace candela::app

@@ -77,12 +77,6 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
 void check_mode(const RenderOptions& options) {
     (void)shadows_of(options.job.shadows, options.mode);
     if (options.mode == "path") return;
-    if (any_path_option(options.path)) {
-        throw Error(Fault::usage,
-                    "--time-limit, --target-error, --max-bounces, --direct-only, --furnace, "
-                    "--depth-of-field, --focus-m and --checkpoint are the path tracer's",
-                    "--mode " + options.mode, "--mode path");
-    }
     if (options.samples.value_or(1) > 4096) throw Error(Fault::usage, "more than 4096 samples", "--spp");
     for (const std::string& aov : options.files.aovs) {
         if (aov == "variance" || aov == "sample_count") {
@@ -91,9 +85,16 @@ void check_mode(const RenderOptions& options) {
     }
 }
 
+void check_options(const CLI::App& command, const RenderOptions& options) {
+    check_environment_options(command, options.job);
+    check_picture_options(command);
+    check_shadow_options(command, options.job.shadows, options.mode);
+    check_path_options(command, options.job.shadows, options.mode);
+    check_picture_file_options(command, options.files);
+}
+
 int render(RenderOptions options) {
     const auto start = std::chrono::steady_clock::now();
-    if (options.files.outputs.empty()) options.files.outputs = {"out.png"};
     check_outputs(options.files);
     check_mode(options);
     Job job = prepare(options.job);
@@ -158,7 +159,7 @@ void add_render(CLI::App& app, Action& action) {
     command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file")->required();
     command
         ->add_option("-o,--output", options->files.outputs,
-                     "FILE.png or FILE.exr; may be given several times")
+                     "FILE.png or FILE.exr; may be given several times (out.png)")
         ->take_all();
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
@@ -180,7 +181,11 @@ void add_render(CLI::App& app, Action& action) {
         ->check(CLI::IsMember({"half", "float"}));
     command->add_option("--aov", options->files.aovs, "Layers of EXR files, separated by commas, or all")
         ->delimiter(',');
-    command->callback([options, &action] { action = [options] { return render(*options); }; });
+    command->callback([options, command, &action] {
+        if (options->files.outputs.empty()) options->files.outputs = {"out.png"};
+        check_options(*command, *options);
+        action = [options] { return render(*options); };
+    });
 }
 
 }  // namespace candela::app

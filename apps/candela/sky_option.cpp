@@ -1,6 +1,7 @@
 #include "sky_option.hpp"
 
 #include <charconv>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -44,14 +45,18 @@ float value_of(const scene::SkySetting& setting, const std::string& text) {
 std::optional<scene::SkySettings> sky_of_option(const std::string& text) {
     if (text == "sky") return scene::SkySettings{};
     if (!text.starts_with("sky:")) return std::nullopt;
+    if (text == "sky:") throw usage("names no key", "sky, or sky:elevation=35,turbidity=3");
     scene::SkySettings settings;
     std::istringstream parts(text.substr(4));
+    std::set<std::string> seen;
     std::string part;
     while (std::getline(parts, part, ',')) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos)
             throw usage("not key=value: " + part, "sky:elevation=35,turbidity=3");
         const scene::SkySetting& setting = setting_named(part.substr(0, equals));
+        if (!seen.insert(setting.option).second)
+            throw usage("the key is given twice: " + std::string(setting.option), "each key once");
         settings.*setting.value = value_of(setting, part.substr(equals + 1));
     }
     return settings;

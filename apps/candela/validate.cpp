@@ -5,6 +5,7 @@
 #include "candela/measure/validation.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "option_rules.hpp"
 
 namespace candela::app {
 namespace {
@@ -68,7 +69,12 @@ void add_validate(CLI::App& app, Action& action) {
         ->capture_default_str();
     command->add_flag("--list", options->list, "Only list the experiments");
     command->add_flag("--json", options->json, "Print one JSON object on standard output");
-    command->callback([options, &action] { action = [options] { return validate(*options); }; });
+    command->callback([options, command, &action] {
+        if (options->list)
+            refuse_without_effect(*command, {"--output", "--techniques", "--threads"},
+                                  "with --list, which runs nothing");
+        action = [options] { return validate(*options); };
+    });
 }
 
 }  // namespace candela::app

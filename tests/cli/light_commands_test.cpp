@@ -63,7 +63,7 @@ TEST(LightCommands, AConvertedSceneGivesTheSamePicture) {
     const std::string scene = folder / "still_life.glb", copy = folder / "copy.gltf";
     const Outcome outcome = run_candela("convert " + scene + " -o " + copy);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_EQ(outcome.out + outcome.err, "candela: wrote " + copy + "\n") << "and no warning";
     EXPECT_TRUE(std::filesystem::exists(folder / "copy.bin"));
     EXPECT_EQ(run_candela("render " + scene + picture_options() + " -o " + (folder / "a.png")).exit_code, 0);
     EXPECT_EQ(run_candela("render " + copy + picture_options() + " -o " + (folder / "b.png")).exit_code, 0);
@@ -82,7 +82,7 @@ TEST(LightCommands, ConvertSaysWhatItCannotWriteAndRefusesWhatItMustNot) {
     const Outcome outcome =
         run_candela("convert " + scene + " --stage " + (folder / "a.json") + " -o " + (folder / "b.glb"));
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(lines(outcome.err), 2u) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 3u) << outcome.err;
     EXPECT_NE(outcome.err.find("light Ball"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("exposure"), std::string::npos) << outcome.err;
 

@@ -23,7 +23,8 @@ FN vec4 case_probe_influence(NUMBERS) {
     vec3 half_size = vec3(1.0f + u[0], 1.0f + u[1], 1.0f + u[2]);
     vec3 position = 3.0f * (vec3(u[3], u[4], u[5]) - 0.5f);
     return vec4(probe_influence(kProxyBox, position, half_size, u[6], 0.1f + u[7]),
-                probe_influence(kProxySphere, position, half_size, u[6], 0.1f + u[7]), volume_influence(u[8], 0.1f + u[9]), 1.0f);
+                probe_influence(kProxySphere, position, half_size, u[6], 0.1f + u[7]), volume_influence(u[8], 0.1f + u[9]),
+                influence_beyond(u[8], u[9], 0.5f));
 }
 FN vec4 case_composition(NUMBERS) {
     ProbeSum sum = empty_probe_sum();

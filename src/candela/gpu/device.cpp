@@ -81,7 +81,7 @@ DeviceInfo choose(const std::vector<DeviceInfo>& devices, const std::string& sel
     if (best) return *best;
     if (!refused.empty()) throw machine_error("no usable Vulkan device", "--device " + select, refused);
     if (select != "auto") {
-        throw Error(Fault::input, "no such device", "--device " + select, "candela info lists the devices");
+        throw Error(Fault::usage, "no such device", "--device " + select, "candela info lists the devices");
     }
     throw machine_error("no Vulkan device", {}, "install a GPU driver, or mesa-vulkan-drivers for the CPU");
 }

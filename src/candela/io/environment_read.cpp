@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
@@ -27,17 +28,36 @@ constexpr std::size_t max_environment_bytes = std::size_t{1} << 31;
 /// read_environment's promise about texels that are no luminance.
 void sanitize(std::vector<glm::vec3>& texels, const std::string& name, Diagnostics& diagnostics) {
     float largest = 0.0f;
-    bool below = false, infinite = false;
+    float least = 0.0f;
+    std::size_t negative = 0, undefined = 0, infinite = 0;
     for (const glm::vec3& texel : texels) {
+        bool below = false, nan = false, above = false;
         for (int c = 0; c < 3; ++c) {
             if (std::isfinite(texel[c])) largest = std::max(largest, texel[c]);
-            infinite = infinite || (std::isinf(texel[c]) && texel[c] > 0.0f);
-            below = below || !(texel[c] >= 0.0f);
+            least = std::min(least, texel[c]);
+            above = above || (std::isinf(texel[c]) && texel[c] > 0.0f);
+            below = below || texel[c] < 0.0f;
+            nan = nan || std::isnan(texel[c]);
         }
+        negative += below ? 1 : 0;
+        undefined += nan ? 1 : 0;
+        infinite += above ? 1 : 0;
     }
-    if (below) diagnostics.warn(name + ": negative or undefined luminance became 0");
-    if (infinite) diagnostics.warn(name + ": infinite luminance became the largest finite of the map");
-    if (!below && !infinite) return;
+    const auto of_all = [&](std::size_t count) {
+        return std::to_string(count) + " of " + std::to_string(texels.size()) + " texels";
+    };
+    if (negative > 0) {
+        char text[32];
+        std::snprintf(text, sizeof(text), "%.3g", static_cast<double>(least));
+        diagnostics.warn(name + ": negative luminance became 0, in " + of_all(negative) + ", the least " +
+                         text + " cd/m2");
+    }
+    if (undefined > 0)
+        diagnostics.warn(name + ": luminance that is not a number became 0, in " + of_all(undefined));
+    if (infinite > 0)
+        diagnostics.warn(name + ": infinite luminance became the largest finite of the map, in " +
+                         of_all(infinite));
+    if (negative + undefined + infinite == 0) return;
     for (glm::vec3& texel : texels) {
         for (int c = 0; c < 3; ++c) texel[c] = texel[c] >= 0.0f ? std::min(texel[c], largest) : 0.0f;
     }

@@ -97,7 +97,11 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
                            std::optional<std::filesystem::path> folder)
     : name_(std::move(name)), folder_(std::move(folder)) {
     Chunks chunks{bytes, {}};
-    if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) chunks = split_glb(bytes, name_);
+    if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
+    if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic)
+        chunks = split_glb(bytes, name_);
+    else if (is_binary(bytes))
+        throw input_error("neither a .glb nor a .gltf file", name_);
     json_ = parse_json(chunks.json, name_, false);
     if (!json_.is_object()) throw input_error("not a glTF file: the JSON is not an object", name_);
     const std::string version = root()["asset"]["version"].string_or("");

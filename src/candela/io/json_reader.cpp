@@ -46,9 +46,18 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+bool is_binary(std::span<const std::byte> bytes) {
+    // Zeros at the end are padding, which some writers of .glb put there.
+    const auto last =
+        std::find_if(bytes.rbegin(), bytes.rend(), [](std::byte b) { return b != std::byte{0}; });
+    return std::any_of(last, bytes.rend(), [](std::byte b) { return b < std::byte{9}; });
+}
+
 nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where, bool comments,
                           int max_depth) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.empty()) throw input_error("the file is empty", where, "JSON is expected");
+    if (is_binary(bytes)) throw input_error("is not text, but JSON is expected", where);
     check_depth(text, where, max_depth);
     // A later key would silently win over an earlier one (glTF forbids them).
     std::vector<std::set<std::string>> keys;

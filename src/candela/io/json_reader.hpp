@@ -11,6 +11,9 @@ namespace candela::io {
 [[nodiscard]] nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where,
                                         bool comments, int max_depth = 64);
 
+/// Whether there are bytes that no text has: a line number would say nothing of a picture or a program.
+[[nodiscard]] bool is_binary(std::span<const std::byte> bytes);
+
 /// The known name that is nearest to a misspelt one, or empty when none is near.
 [[nodiscard]] std::string nearest_name(const std::string& name, std::span<const std::string> known);
 

@@ -28,6 +28,7 @@ scene::SkySettings read_sky(const json& value, const std::string& where) {
 StageEnvironment read_environment_entry(const json& value, const std::string& where,
                                         const std::filesystem::path& folder) {
     StageEnvironment e;
+    e.where = where + "/file";
     bool studio = false;
     const StageObject object(
         value, where,
@@ -110,6 +111,9 @@ scene::Exposure read_exposure(const json& value, const std::string& where) {
 Stage load_stage(const std::filesystem::path& file) {
     const std::string name = file.string();
     const json root = parse_json(read_file(file, std::size_t{16} << 20), name, true);
+    if (!root.is_object())
+        throw input_error("a stage is a JSON object", name,
+                          "{\"environment\": {\"sky\": {}}}; docs/stage.md");
     const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
     Stage stage;
     const StageObject object(
@@ -128,6 +132,10 @@ Stage load_stage(const std::filesystem::path& file) {
          {"exposure", [&](const json& v, const std::string& at) { stage.exposure = read_exposure(v, at); }},
          {"$schema", [&](const json& v, const std::string& at) { (void)stage_text(v, at); }}});
     return stage;
+}
+
+scene::Environment read_stage_environment(const StageEnvironment& e, Diagnostics& diagnostics) {
+    return read_stage_file(e.where, [&] { return read_environment(e.file, diagnostics, e.options); });
 }
 
 }  // namespace candela::io

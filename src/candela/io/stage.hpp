@@ -16,6 +16,7 @@ namespace candela::io {
 /// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the
 /// stage's folder and must stay inside it.
 struct StageEnvironment {
+    std::string where;           ///< file and JSON pointer of `file`, for what shows when it is read
     std::filesystem::path file;  ///< as read_environment takes it; empty: sky, the built-in studio, or none
     EnvironmentOptions options;
     std::optional<scene::SkySettings> sky;
@@ -45,5 +46,9 @@ struct Stage {
 /// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file and JSON
 /// pointer; unknown keys are errors with the nearest known key as hint.
 [[nodiscard]] Stage load_stage(const std::filesystem::path& file);
+
+/// The picture of `file`. Throws Error (Fault::input) that names the stage's key too.
+[[nodiscard]] scene::Environment read_stage_environment(const StageEnvironment& environment,
+                                                        Diagnostics& diagnostics);
 
 }  // namespace candela::io

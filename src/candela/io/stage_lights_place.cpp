@@ -6,6 +6,7 @@
 #include "candela/io/image_read.hpp"
 #include "candela/io/photometric.hpp"
 #include "candela/io/stage_lights.hpp"
+#include "candela/io/stage_object.hpp"
 #include "candela/scene/error.hpp"
 
 namespace candela::io {
@@ -179,8 +180,11 @@ void apply(const StageLight& entry, const scene::Scene& scene, Files& files, Lig
     light.carrier += light.carrier.empty() ? "stage" : ", stage";
     if (light.type != LightType::point && light.type != LightType::spot) light.profile = scene::no_index;
     if (light.type != LightType::rectangle) light.image = scene::no_index;
-    if (!entry.profile.empty()) light.profile = files.profile(entry.profile);
-    if (!entry.image.empty()) light.image = files.image(entry.image);
+    if (!entry.profile.empty())
+        light.profile =
+            read_stage_file(entry.where + "/profile", [&] { return files.profile(entry.profile); });
+    if (!entry.image.empty())
+        light.image = read_stage_file(entry.where + "/image", [&] { return files.image(entry.image); });
     for (const char* key : {"profile_multiplier", "profile_scale"}) {
         if (has(entry, key) && light.profile == scene::no_index)
             throw input_error("the light has no profile", entry.where + "/" + key);

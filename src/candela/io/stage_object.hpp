@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "candela/scene/error.hpp"
+
 /// How the parts of a stage file are read: every error names the file and the JSON pointer.
 namespace candela::io {
 
@@ -32,5 +34,15 @@ class StageObject {
                                        const std::vector<std::string>& names);
 [[nodiscard]] glm::vec3 stage_vector(const nlohmann::json& value, const std::string& where, double low = -1e9,
                                      double high = 1e9, const std::string& range = "-1e9 to 1e9");
+
+/// Does what reads a file that the stage names: what goes wrong then names the key as well.
+template <class Read>
+auto read_stage_file(const std::string& where, const Read& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        throw Error(error.fault(), error.what(), where + ": " + error.where(), error.hint());
+    }
+}
 
 }  // namespace candela::io

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 
 namespace candela::io::detail {
@@ -14,24 +15,12 @@ Error folder_error(const std::error_code& failure, const fs::path& folder) {
     return {disk ? Fault::machine : Fault::input, "cannot be made: " + failure.message(), folder.string()};
 }
 
-/// The outermost folder of a path that does not exist.
-fs::path first_missing(const fs::path& folder) {
-    fs::path missing;
-    for (fs::path p = folder; !p.empty() && !fs::exists(fs::symlink_status(p)); p = p.parent_path())
-        missing = p;
-    return missing;
-}
-
 }  // namespace
 
 StagingFolder::StagingFolder(const fs::path& folder) : folder_(folder.empty() ? "." : folder) {
     std::error_code failure;
     if (!folder_.has_filename() && folder_.has_parent_path()) folder_ = folder_.parent_path();
-    if (fs::exists(folder_) && !fs::is_directory(folder_))
-        throw input_error("is not a folder", folder_.string());
-    made_ = first_missing(folder_);
-    fs::create_directories(folder_, failure);
-    if (failure) throw folder_error(failure, folder_);
+    if (make_output_folder(folder_)) made_ = folder_;
     constexpr int most_attempts = 1000;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         temporary_ =

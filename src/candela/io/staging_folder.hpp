@@ -11,7 +11,7 @@ namespace candela::io::detail {
 /// before.
 class StagingFolder {
   public:
-    /// Makes `folder` when it is missing. Throws Error.
+    /// Makes `folder` when it is missing, as output_folder.hpp has it. Throws Error.
     explicit StagingFolder(const std::filesystem::path& folder);
     StagingFolder(const StagingFolder&) = delete;
     StagingFolder& operator=(const StagingFolder&) = delete;
@@ -27,7 +27,7 @@ class StagingFolder {
   private:
     std::filesystem::path folder_;
     std::filesystem::path temporary_;
-    std::filesystem::path made_;  ///< the outermost folder that was not there; empty: none
+    std::filesystem::path made_;  ///< the folder, when it was not there before
     std::vector<std::string> names_;
     bool committed_ = false;
 };

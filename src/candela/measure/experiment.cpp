@@ -30,9 +30,8 @@ std::vector<Experiment> select_experiments(std::vector<Experiment> known,
         const auto found = std::find(names.begin(), names.end(), id);
         if (found == names.end()) {
             const std::string near = io::nearest_name(id, names);
-            throw input_error(
-                "there is no experiment '" + id + "'", "--only",
-                near.empty() ? "candela validate --list names them" : "did you mean '" + near + "'?");
+            throw Error(Fault::usage, "there is no experiment '" + id + "'", "--only",
+                        near.empty() ? "candela validate --list names them" : "did you mean '" + near + "'?");
         }
         out.push_back(known[static_cast<std::size_t>(found - names.begin())]);
     }

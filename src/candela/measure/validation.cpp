@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/measure/numerics.hpp"
 #include "candela/scene/error.hpp"
 
@@ -55,13 +56,6 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     io::write_file(file, std::as_bytes(std::span(text)));
 }
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-        throw input_error("this folder cannot be made", folder.string(), "give -o a folder");
-}
-
 }  // namespace
 
 bool ExperimentResult::pass() const {
@@ -83,7 +77,8 @@ std::vector<ExperimentResult> run_experiments(std::span<const Experiment> experi
 }
 
 ValidationOutcome validate(std::span<const Experiment> experiments, const ValidationOptions& options) {
-    if (!options.folder.empty()) make_folder(options.folder);
+    if (!options.techniques_file.empty()) io::check_output_file(options.techniques_file);
+    if (!options.folder.empty()) (void)io::make_output_folder(options.folder);
     ValidationOutcome out{run_experiments(experiments, options.threads), 0};
     if (!options.folder.empty()) {
         write_text(options.folder / "results.json",

@@ -65,10 +65,13 @@ glm::vec3 mean_emission(const scene::Scene& scene, const scene::Primitive& p, co
     return material.emissive_nit * sum / static_cast<float>(steps * steps);
 }
 
-/// The glowing triangles of every instance of a primitive, each a part of its own.
-std::vector<std::vector<Piece>> collect_parts(const scene::Scene& scene) {
+/// The glowing triangles of every instance of a primitive, each a part of its own; `found` then has of each
+/// where it is from.
+std::vector<std::vector<Piece>> collect_parts(const scene::Scene& scene,
+                                              std::vector<EmissiveSurface>* found = nullptr) {
     std::vector<std::vector<Piece>> parts;
-    for (const scene::Instance& instance : scene.instances) {
+    for (std::uint32_t index = 0; index < scene.instances.size(); ++index) {
+        const scene::Instance& instance = scene.instances[index];
         const bool mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
         for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives) {
             const scene::Material& material = scene.materials[p.material];
@@ -86,7 +89,9 @@ std::vector<std::vector<Piece>> collect_parts(const scene::Scene& scene) {
                 if (glm::length(piece.vector_area()) > 0.0f && piece.nit != glm::vec3(0.0f))
                     part.push_back(piece);
             }
-            if (!part.empty()) parts.push_back(std::move(part));
+            if (part.empty()) continue;
+            if (found != nullptr) found->push_back({index, p.material, part.size()});
+            parts.push_back(std::move(part));
         }
     }
     return parts;
@@ -261,6 +266,20 @@ std::vector<EmissiveLight> emissive_lights(const scene::Scene& scene) {
         if (lights.size() <= kMostEmissivePieces) return lights;
     }
     return parts.empty() ? std::vector<EmissiveLight>{} : grouped(std::move(parts));
+}
+
+std::vector<EmissiveSurface> emissive_surfaces(const scene::Scene& scene) {
+    std::vector<EmissiveSurface> out;
+    const std::vector<std::vector<Piece>> parts = collect_parts(scene, &out);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (const Piece& piece : parts[i]) {
+            const auto area_m2 = static_cast<double>(glm::length(piece.vector_area()));
+            out[i].area_m2 += area_m2;
+            out[i].mean_nit += area_m2 * glm::dvec3(piece.nit);
+        }
+        out[i].mean_nit /= out[i].area_m2;
+    }
+    return out;
 }
 
 }  // namespace candela::realtime

@@ -27,4 +27,14 @@ struct EmissiveLight {
 /// in halves where they are long; there are at most kMostEmissivePieces of them.
 [[nodiscard]] std::vector<EmissiveLight> emissive_lights(const scene::Scene& scene);
 
+/// What glows: a primitive of an instance, unlit materials apart. It casts light in every mode.
+struct EmissiveSurface {
+    std::uint32_t instance = 0;
+    std::uint32_t material = 0;
+    std::size_t triangles = 0;
+    double area_m2 = 0.0;
+    glm::dvec3 mean_nit{0.0};  ///< over the area; a texture is in it
+};
+[[nodiscard]] std::vector<EmissiveSurface> emissive_surfaces(const scene::Scene& scene);
+
 }  // namespace candela::realtime

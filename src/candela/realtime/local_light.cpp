@@ -176,6 +176,11 @@ void upload_local_light(const gpu::Device& device, gpu::Commands& commands,
     for (const scene::IrradianceVolume& volume : volumes) {
         if (!volume.probes.empty()) baked.push_back(&volume);
     }
+    // Here too the smaller one wins, whatever order the scene has.
+    std::stable_sort(baked.begin(), baked.end(), [](const auto* a, const auto* b) {
+        const auto size = [](const glm::vec3& half) { return half.x * half.y * half.z; };
+        return size(a->half_size_m) < size(b->half_size_m);
+    });
     const AtlasShape shape = capture ? AtlasShape{} : atlas_shape(taken);
     Quads quads;
     const auto probe_count = static_cast<std::uint32_t>(taken.size());

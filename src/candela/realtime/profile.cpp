@@ -91,11 +91,12 @@ Profile mobile() {
 
 }  // namespace
 
-Profile profile_by_name(const std::string& name) {
+Profile profile_by_name(const std::string& name, const std::string& where) {
     for (const Profile& profile : {best(), frostbite(), ue4(), mobile()}) {
         if (profile.name == name) return profile;
     }
-    throw input_error("no such profile", name, "one of " + list(profile_names()) + ", or a .json file");
+    throw Error(Fault::usage, "no such profile: " + name, where,
+                "one of " + list(profile_names()) + ", or a .json file");
 }
 
 std::vector<std::string> profile_names() {

@@ -60,8 +60,8 @@ struct Profile {
     ContactShadowTechnique contact_shadows = ContactShadowTechnique::none;
 };
 
-/// best, frostbite, ue4 or mobile. Throws Error (Fault::input) that lists the names.
-[[nodiscard]] Profile profile_by_name(const std::string& name);
+/// best, frostbite, ue4 or mobile. Throws Error (Fault::usage) at `where` that lists the names.
+[[nodiscard]] Profile profile_by_name(const std::string& name, const std::string& where = "profile");
 [[nodiscard]] std::vector<std::string> profile_names();
 
 /// Replaces one technique: set_technique(profile, "diffuse", "lambert"). Throws Error (Fault::input) at

@@ -131,7 +131,8 @@ vec3 probe_irradiance(uint quad, vec2 b[5]) {
 vec4 volume_irradiance(uint record, vec3 position, vec3 n, vec3 v, vec3 direction) {
     vec3 local = point_to_local(record, position);
     vec4 size_fade = local_vectors[record + 3u];
-    float influence = volume_influence(outside_box_m(local, size_fade.xyz), size_fade.w);
+    float outside_m = outside_box_m(local, size_fade.xyz);
+    float influence = volume_influence(outside_m, size_fade.w);
     if (influence <= 0.0) return vec4(0.0);
     ivec3 cells = ivec3(local_quads[record + 4u].xyz);
     uvec4 places = local_quads[record + 5u];  // first quad of the harmonics, first word of the distances, nit per unit
@@ -150,6 +151,7 @@ vec4 volume_irradiance(uint record, vec3 position, vec3 n, vec3 v, vec3 directio
     vec3 f = at - vec3(low);
     vec3 sum = vec3(0.0);
     float weights = 0.0;
+    vec2 seen = vec2(0.0);
     for (int i = 0; i < 8; ++i) {
         ivec3 step = ivec3(i & 1, (i >> 1) & 1, i >> 2);
         ivec3 cell = min(low + step, cells - 1);
@@ -165,10 +167,15 @@ vec4 volume_irradiance(uint record, vec3 position, vec3 n, vec3 v, vec3 directio
         vec2 distances = probe_distances(places.y + uint(kDistanceSize * kDistanceSize) * probe, from_local(record, way));
         float visible = distance_visibility(distances.x, distances.y, way_m, 0.02 * least);
         float w = probe_weight(facing_weight(local_n, to_probe), visible) * w3.x * w3.y * w3.z;
-        w *= unpackHalf2x16(local_quads[quad + 3u].w).x;  // not inside of something
+        float valid = unpackHalf2x16(local_quads[quad + 3u].w).x;  // not inside of something
+        w *= valid;
+        // Distances end somewhere (truth/irradiance_bake.cpp): what is as far as that may be open.
+        float open = distances.x > 1.9 * length(spacing) ? 1.0 : visible;
+        seen += vec2(open, 1.0) * (valid * w3.x * w3.y * w3.z);
         sum += probe_irradiance(quad, basis) * w;
         weights += w;
     }
+    influence *= influence_beyond(outside_m, seen.x / max(seen.y, 1.0e-20), 0.04 * least);
     return vec4(sum * (uintBitsToFloat(places.z) / max(weights, 1.0e-20)), weights > 0.0 ? influence : 0.0);
 }
 
