@@ -296,6 +296,12 @@ void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r
 float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, float nearest, uint first,
                         uint stride, uint lookups, vec2 turn) {
     ShadowExtent e = shadow_extent(shape, record, r.to_light);
+    // What hides the middle of the light hides as much of it as it does from where it stands, whatever else is farther away.
+    for (uint i = 0u; i < min(lookups, 1u); ++i) {
+        Sight s = look(kind, record, r, r.point, vec2(0.0), true, nearest);
+        nearest = s.hides ? min(nearest, s.share) : nearest;
+        way = s.hides ? min(way, s.share) : way;
+    }
     // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
     float kernel_texels = spread_texels(kind, r, e, way);
     float spread = clamp(1.0 - 0.5 * kernel_texels, 0.0, 1.0);
@@ -303,6 +309,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
     float seen = 0.0;
     float told = 0.0;
     float all = 0.0;
+    float deepest = 1e30;
     LightPoints points = light_points(shape, first, stride, lookups, turn);
     for (uint i = 0u; i < lookups; ++i) {
         vec2 p = next_point(shape, stride, points);
@@ -312,7 +319,11 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
         all += weight;
         told += s.tells ? weight : 0.0;
         seen += s.tells && !s.hides ? weight : 0.0;
+        nearest = s.hides ? min(nearest, s.share) : nearest;
+        deepest = s.tells && !s.hides ? min(deepest, s.share) : deepest;
     }
+    float foot = nearest - kContactTexels_deep * r.texel_m * length(r.progress);
+    if (narrow && r.bulge <= 0.0 && deepest >= foot) seen = 0.0;
     return told > 0.0 ? seen / told : all > 0.0 ? 1.0 : 0.0;
 }
 
