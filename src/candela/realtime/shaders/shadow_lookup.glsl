@@ -159,8 +159,9 @@ CubeFace cube_face(ShadowRecord r, vec3 way) {
 }
 
 // The point of the surface that the light sees on its way to `at`, at a texel's middle; far behind everything where it
-// sees none.
-vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
+// sees none. outside: of the map.
+vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels, out bool outside) {
+    outside = false;
     if (kind == kShadowCube) {
         CubeFace f = cube_face(r, at);
         vec3 way = into_face(f, at);
@@ -173,7 +174,7 @@ vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
     }
     vec2 on_tile = kind == kShadowCascades ? at.xy : at.xy / at.z;
     vec2 offset = on_tile * r.texels.xy + jitter_texels;
-    bool outside = any(greaterThanEqual(abs(offset), vec2(r.numbers.z)));
+    outside = any(greaterThanEqual(abs(offset), vec2(r.numbers.z)));
     vec2 texel = floor(r.texels.zw + offset);
     float d = outside ? 0.0 : texelFetch(shadow_atlas, ivec2(texel), 0).r;
     vec2 middle = (texel + 0.5 - r.texels.zw) / r.texels.xy;
@@ -193,9 +194,10 @@ struct Sight {
 // What rises above the plane is in the way when it stands before the receiver, and that is judged at its foot, straight below it
 // on the plane: the foot of a wall behind the receiver is behind it, however the texels lean over. What shows a point below the
 // plane looks past the receiver's surface, and what shows the plane as near as the foot of something in the way may show
-// that foot. On smooth surfaces, whose own facets rise and fall, all that does not hide shows.
+// that foot. Nor can it be told what is outside of the map. On smooth surfaces, whose own facets rise and fall, all that does not hide shows.
 Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec2 jitter_texels, bool narrow, float nearest) {
-    vec3 surface = surface_seen(kind, record, at, jitter_texels);
+    bool outside;
+    vec3 surface = surface_seen(kind, record, at, jitter_texels, outside);
     vec3 way = surface - receiver.point;
     Sight s;
     s.share = dot(way, receiver.progress);
@@ -213,7 +215,7 @@ Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec
     s.hides = s.share > 0.0 && (stands || before) && !beyond;
     float foot = nearest - kContactTexels_deep * receiver.texel_m * length(receiver.progress);
     bool shows = !rises && height > -tolerance_m && s.share < foot;
-    s.tells = s.hides || shows || !narrow || receiver.bulge > 0.0;
+    s.tells = s.hides || (!outside && (shows || !narrow || receiver.bulge > 0.0));
     return s;
 }
 
