@@ -38,10 +38,11 @@ float looked_up_visibility(Light light, vec3 position_m, vec4 facet, ivec2 pixel
         return point_visibility(kind, record, r);
     }
     vec2 turn = vec2(shadow_noise(pixel, 0u), shadow_noise(pixel, 1u));
-    vec2 found = vec2(0.0);
+    Blockers found = kNoBlockers;
     search_blockers(kind, shape, record, r, 0u, kAlone, kSearchTaps, turn, shadow_noise(pixel, 2u), found);
-    if (found.x == 0.0) return 1.0;
-    return filter_visibility(kind, shape, record, r, found.y / found.x, 0u, kAlone, kFilterTaps, turn.yx);
+    if (found.lookups == 0.0) return 1.0;
+    float way = found.share / found.lookups;
+    return filter_visibility(kind, shape, record, r, way, found.nearest, 0u, kAlone, kFilterTaps, turn.yx);
 }
 
 // at: of the first entry of the list (light_loop.glsl).

@@ -4,6 +4,10 @@
 // A lookup gives a point of the surface that the light sees there. It is in the way when it stands above the receiver's
 // own plane and on the light's side of it. The plane is what other shadow maps have a bias for: a plane cannot shadow
 // itself however coarse the texels are, and nothing has to be pushed away from it, so no shadow leaves its caster.
+//
+// A texel shows a point beside the way that was asked for. Next to an edge that is a point of something else: beyond a wall, or
+// of the wall's own foot. So a lookup has three answers: something is in the way, nothing is, or that it cannot tell. What
+// cannot tell does not vote, else rooms whose walls are thinner than a texel would be lit along their edges.
 #ifndef CANDELA_SHADOW_LOOKUP_GLSL
 #define CANDELA_SHADOW_LOOKUP_GLSL
 
@@ -44,6 +48,13 @@ const float kBulgeSlope = 0.3;
 // the plane by less than a texel. There the receiver is lifted off its surface by some texels instead.
 const float kGrazingCosine = 0.03;
 const float kGrazingTexels = 2.0;
+// What stands on the receiver's plane, or so many texels above it along the way to the light, may go on down to it between the
+// texels that show it and those that show the plane.
+const float kContactTexels_deep = 1.0;
+// Ways that spread over fewer texels all look about the receiver: there lookups may not be able to tell.
+const float kNarrowTexels = 2.0;
+// With the light as steep as that on the plane (tangent of the angle to its normal) nothing is before or behind.
+const float kSteepTangent = 0.1;
 // Nothing is as far as that; its square is a float.
 const float kNoDepth = 1e-12;
 
@@ -53,6 +64,8 @@ struct ShadowReceiver {
     vec3 normal;       // unit
     vec3 to_light;     // to the middle of the light; distant lights: 1 m of that way
     vec3 progress;     // its product with a way is the share of to_light that the way has covered
+    vec3 along;        // to_light's part within the receiver's plane; 0 for a light straight above it
+    float texel_m;     // size of a texel at the receiver
     float slack;       // m
     float bulge;       // m that facets of the same smooth surface may rise
     float grazing_m;   // of a distant light along the surface: what is so far in the way hides it, wherever it stands; else 0
@@ -88,7 +101,7 @@ ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, 
     if (kind == kShadowCascades) {
         r.to_light = vec3(0.0, 0.0, -1.0);
         r.progress = vec3(0.0, 0.0, -1.0);
-        r.slack = record.numbers.w;
+        r.texel_m = record.numbers.w;
         r.grazing_m = abs(r.normal.z) < kGrazingCosine ? kGrazingTexels * record.numbers.w : 0.0;
         r.point += r.normal * r.grazing_m;
     } else {
@@ -97,9 +110,12 @@ ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, 
         // Blockers are sorted by planes across the pyramid, or across the way to the light.
         r.progress = kind == kShadowCube ? r.to_light / max(dot(r.to_light, r.to_light), 1e-12)
                                          : vec3(0.0, 0.0, 1.0 / min(r.to_light.z, -1e-6));
-        r.slack = record.numbers.w * length(r.point);
+        r.texel_m = record.numbers.w * length(r.point);
     }
-    r.slack = kPlaneLeast_m + kPlaneTexels * r.slack;
+    r.slack = kPlaneLeast_m + kPlaneTexels * r.texel_m;
+    float upwards = dot(r.to_light, r.normal);
+    r.along = r.to_light - upwards * r.normal;
+    if (dot(r.along, r.along) < kSteepTangent * kSteepTangent * upwards * upwards) r.along = vec3(0.0);
     return r;
 }
 
@@ -143,8 +159,9 @@ CubeFace cube_face(ShadowRecord r, vec3 way) {
 }
 
 // The point of the surface that the light sees on its way to `at`, at a texel's middle; far behind everything where it
-// sees none.
-vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
+// sees none. outside: of the map.
+vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels, out bool outside) {
+    outside = false;
     if (kind == kShadowCube) {
         CubeFace f = cube_face(r, at);
         vec3 way = into_face(f, at);
@@ -157,7 +174,7 @@ vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
     }
     vec2 on_tile = kind == kShadowCascades ? at.xy : at.xy / at.z;
     vec2 offset = on_tile * r.texels.xy + jitter_texels;
-    bool outside = any(greaterThanEqual(abs(offset), vec2(r.numbers.z)));
+    outside = any(greaterThanEqual(abs(offset), vec2(r.numbers.z)));
     vec2 texel = floor(r.texels.zw + offset);
     float d = outside ? 0.0 : texelFetch(shadow_atlas, ivec2(texel), 0).r;
     vec2 middle = (texel + 0.5 - r.texels.zw) / r.texels.xy;
@@ -166,11 +183,24 @@ vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels) {
     return vec3(middle * z, z);
 }
 
-// Whether the surface that the light sees on its way to `at` is between the receiver and the light; and how far along.
-bool in_the_way(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec2 jitter_texels, out float share) {
-    vec3 surface = surface_seen(kind, record, at, jitter_texels);
+// What a lookup on the way to `at` says of the receiver.
+struct Sight {
+    bool hides;   // something is in the way
+    bool tells;   // that, or that nothing is
+    float share;  // how far along the way to the light what it shows is
+};
+// narrow: the lookup is about the receiver itself. nearest: share of the nearest of what is known to be in the way.
+//
+// What rises above the plane is in the way when it stands before the receiver, and that is judged at its foot, straight below it
+// on the plane: the foot of a wall behind the receiver is behind it, however the texels lean over. What shows a point below the
+// plane looks past the receiver's surface, and what shows the plane as near as the foot of something in the way may show
+// that foot. Nor can it be told what is outside of the map. On smooth surfaces, whose own facets rise and fall, all that does not hide shows.
+Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec2 jitter_texels, bool narrow, float nearest) {
+    bool outside;
+    vec3 surface = surface_seen(kind, record, at, jitter_texels, outside);
     vec3 way = surface - receiver.point;
-    share = dot(way, receiver.progress);
+    Sight s;
+    s.share = dot(way, receiver.progress);
     float height = dot(way, receiver.normal);
     // The longest side stands for the distance: a root in every lookup costs more than the tolerance is worth.
     vec3 sides = abs(way);
@@ -179,8 +209,14 @@ bool in_the_way(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at
     // Seen from a cube's centre, towards the end of a long tube, what is farther than the receiver is across is not on the
     // way to it.
     bool beyond = kind == kShadowCube && dot(surface, way) > 0.0;
-    bool before = receiver.grazing_m > 0.0 && share > receiver.grazing_m;
-    return share > 0.0 && (height > tolerance_m || before) && !beyond;
+    bool before = receiver.grazing_m > 0.0 && s.share > receiver.grazing_m;
+    bool rises = height > tolerance_m;
+    bool stands = rises && (!narrow || dot(way, receiver.along) >= 0.0);
+    s.hides = s.share > 0.0 && (stands || before) && !beyond;
+    float foot = nearest - kContactTexels_deep * receiver.texel_m * length(receiver.progress);
+    bool shows = !rises && height > -tolerance_m && s.share < foot;
+    s.tells = s.hides || (!outside && (shows || !narrow || receiver.bulge > 0.0));
+    return s;
 }
 
 // Points of the light in units of its extent, one after the other: of a Fibonacci spiral on round shapes, of a Fibonacci
@@ -225,42 +261,72 @@ vec2 next_point(int shape, uint stride, inout LightPoints p) {
 // kernel is that shape seen through the blockers (for a light of width w, w (d_r - d_b) / d_b on the receiver), and
 // points below the receiver's horizon do not count, which keeps the gradient of wrap lighting (Frostbite 4.10.4, Figure 68).
 //
-// Some lookups for what is in the way; xy += how many found something, and how far along.
+// What a search for blockers has found.
+struct Blockers {
+    float lookups;  // that found something
+    float share;    // how far along, their sum
+    float nearest;  // how far along the nearest one to the receiver is
+};
+const Blockers kNoBlockers = Blockers(0.0, 0.0, 1e30);
+void add_sight(Sight s, inout Blockers found) {
+    found.lookups += s.hides ? 1.0 : 0.0;
+    found.share += s.hides ? s.share : 0.0;
+    found.nearest = s.hides ? min(found.nearest, s.share) : found.nearest;
+}
+
+// How many texels ways to the light's points are apart at that share of them.
+float spread_texels(uint kind, ShadowReceiver r, ShadowExtent e, float way) {
+    float size = sqrt(min(dot(e.x, e.x), dot(e.y, e.y)));
+    return way * size / (r.texel_m * (kind == kShadowCascades ? 1.0 : max(1.0 - way, 0.05)));
+}
+
 void search_blockers(uint kind, int shape, ShadowRecord record, ShadowReceiver r, uint first, uint stride, uint lookups,
-                     vec2 turn, float shift, inout vec2 found) {
+                     vec2 turn, float shift, inout Blockers found) {
     ShadowExtent e = shadow_extent(shape, record, r.to_light);
     float farthest = kind == kShadowCascades ? r.point.z : 0.95;
     LightPoints points = light_points(shape, first, stride, lookups, turn);
     for (uint i = 0u; i < lookups; ++i) {
         vec2 p = next_point(shape, stride, points);
         float way = farthest * fract(float(first + i * stride) * kSpreadAlong + shift);
-        float share;
-        if (in_the_way(kind, record, r, r.point + way * (r.to_light + p.x * e.x + p.y * e.y), vec2(0.0), share)) {
-            found += vec2(1.0, share);
-        }
+        bool narrow = spread_texels(kind, r, e, way) < kNarrowTexels;
+        vec3 at = r.point + way * (r.to_light + p.x * e.x + p.y * e.y);
+        add_sight(look(kind, record, r, at, vec2(0.0), narrow, 1e30), found);
     }
 }
 
 // The share of the light that is seen past blockers at that share of the way; 0 without lookups.
-float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, uint first, uint stride,
-                        uint lookups, vec2 turn) {
+float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceiver r, float way, float nearest, uint first,
+                        uint stride, uint lookups, vec2 turn) {
     ShadowExtent e = shadow_extent(shape, record, r.to_light);
+    // What hides the middle of the light hides as much of it as it does from where it stands, whatever else is farther away.
+    for (uint i = 0u; i < min(lookups, 1u); ++i) {
+        Sight s = look(kind, record, r, r.point, vec2(0.0), true, nearest);
+        nearest = s.hides ? min(nearest, s.share) : nearest;
+        way = s.hides ? min(way, s.share) : way;
+    }
     // The map is not known better than to a texel: where the kernel is smaller, its points are spread over one.
-    float depth = kind == kShadowCascades ? 1.0 : length(r.point + way * r.to_light);
-    float kernel_texels = way * sqrt(min(dot(e.x, e.x), dot(e.y, e.y))) / (record.numbers.w * depth);
+    float kernel_texels = spread_texels(kind, r, e, way);
     float spread = clamp(1.0 - 0.5 * kernel_texels, 0.0, 1.0);
+    bool narrow = kernel_texels < kNarrowTexels;
     float seen = 0.0;
+    float told = 0.0;
     float all = 0.0;
+    float deepest = 1e30;
     LightPoints points = light_points(shape, first, stride, lookups, turn);
     for (uint i = 0u; i < lookups; ++i) {
         vec2 p = next_point(shape, stride, points);
         vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
         float weight = max(dot(r.normal, to_point), 0.0);
+        Sight s = look(kind, record, r, r.point + way * to_point, p * spread, narrow, nearest);
         all += weight;
-        float share;
-        if (!in_the_way(kind, record, r, r.point + way * to_point, p * spread, share)) seen += weight;
+        told += s.tells ? weight : 0.0;
+        seen += s.tells && !s.hides ? weight : 0.0;
+        nearest = s.hides ? min(nearest, s.share) : nearest;
+        deepest = s.tells && !s.hides ? min(deepest, s.share) : deepest;
     }
-    return all > 0.0 ? seen / all : 0.0;
+    float foot = nearest - kContactTexels_deep * r.texel_m * length(r.progress);
+    if (narrow && r.bulge <= 0.0 && deepest >= foot) seen = 0.0;
+    return told > 0.0 ? seen / told : all > 0.0 ? 1.0 : 0.0;
 }
 
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in
@@ -268,11 +334,13 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
 float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec3 point = r.point;
     vec3 normal = r.normal;
+    vec3 along = r.along;
     vec2 center = record.texels.zw;
     if (kind == kShadowCube) {
         CubeFace f = cube_face(record, point);
         point = into_face(f, point);
         normal = into_face(f, normal);
+        along = into_face(f, along);
         center = f.first + record.numbers.z;
     }
     bool parallel = kind == kShadowCascades;
@@ -301,9 +369,20 @@ float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec4 tolerance_m = r.slack + kPlaneSlope * distance_m + min(vec4(r.bulge), kBulgeSlope * distance_m);
     vec4 weights = vec4(1.0 - weight.x, weight.x, weight.x, 1.0 - weight.x) *
                    vec4(weight.y, weight.y, 1.0 - weight.y, 1.0 - weight.y);
+    vec4 ahead = along.x * x + along.y * y + along.z * z;
+    bvec4 rises = greaterThan(height, tolerance_m);
     vec4 hidden = mix(vec4(0.0), weights, lessThan(z, vec4(0.0)));
-    hidden = mix(vec4(0.0), hidden, greaterThan(height, tolerance_m));
-    return outside ? 1.0 : 1.0 - (hidden.x + hidden.y + hidden.z + hidden.w);
+    hidden = mix(vec4(0.0), hidden, rises);
+    hidden = mix(vec4(0.0), hidden, greaterThanEqual(ahead, vec4(0.0)));
+    vec4 of_blockers = mix(vec4(-1e30), z, greaterThan(hidden, vec4(0.0)));
+    float last = max(max(of_blockers.x, of_blockers.y), max(of_blockers.z, of_blockers.w));
+    vec4 shown = mix(vec4(0.0), weights, greaterThan(height, -tolerance_m));
+    shown = mix(shown, vec4(0.0), rises);
+    shown = mix(vec4(0.0), shown, greaterThan(z, vec4(last + kContactTexels_deep * r.texel_m)));
+    shown = r.bulge > 0.0 ? weights - hidden : shown;
+    float dark = hidden.x + hidden.y + hidden.z + hidden.w;
+    float lit = shown.x + shown.y + shown.z + shown.w;
+    return outside || dark == 0.0 ? 1.0 : lit / (lit + dark);
 }
 
 // Whether a cascade holds a point with room for the filter. Near its edge some pixels, chosen by their noise, take the

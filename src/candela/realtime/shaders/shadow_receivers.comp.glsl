@@ -12,6 +12,8 @@ layout(set = 0, binding = 3, rgba32ui) writeonly uniform uimage2D receiver_image
 
 // Between a facet and the smooth surface that it stands for, as a length between unit normals.
 const float kMostLean = 0.3;
+// Neighbours on one smooth surface are not turned from one another by more.
+const float kMostTurn = 0.7;
 
 const ivec2 kRightwards = ivec2(1, 0);
 const ivec2 kDownwards = ivec2(0, 1);
@@ -41,10 +43,9 @@ vec3 way_along(ivec2 pixel, ivec2 step, vec4 place, vec4 place_step, vec3 positi
     return use_forward ? forward : backward;
 }
 
-// 1/m: how fast the shading normal turns on the way to a neighbour.
-float curvature(ivec2 neighbour, vec3 way, vec3 n) {
-    vec3 turned = octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, neighbour, 0).x));
-    return distance(turned, n) * inversesqrt(max(dot(way, way), 1e-20));
+// How far the shading normal of a neighbour is turned from n, as a length between unit normals.
+float turn_to(ivec2 neighbour, vec3 n) {
+    return distance(octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, neighbour, 0).x)), n);
 }
 
 // The facet that the pixel shows, from the depth about it: its normal, and as far as it stands for a smooth surface how
@@ -70,11 +71,16 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     across *= (dot(across, v) < 0.0 ? -1.0 : 1.0) * inversesqrt(area2);
     if (dot(across, n) < 0.7) return vec4(n, 0.0);
     float lean = distance(across, n);
-    if (lean < 0.01) return vec4(across, 0.0);
+    if (lean < 0.01) return vec4(across, lean < 0.002 ? 0.0 : 1e-4);
+    float turn_right = turn_to(right, n);
+    float turn_down = turn_to(down, n);
+    // Behind an edge between two surfaces lies another one's facet.
+    if (lean > kMostLean && max(turn_right, turn_down) > kMostTurn) return vec4(n, 0.0);
     // At a silhouette the neighbours tell little of the facet.
     if (lean > kMostLean && dot(n, v) < 0.35) across = n;
     lean = min(lean, kMostLean);
-    float bend = max(curvature(right, way_right, n), curvature(down, way_down, n));
+    // 1/m: how fast the shading normal turns on the way to the neighbours.
+    float bend = max(turn_right * inversesqrt(dot(way_right, way_right)), turn_down * inversesqrt(dot(way_down, way_down)));
     return vec4(across, 3.0 * lean * lean / max(bend, 1e-3));
 }
 

@@ -93,11 +93,12 @@ float smoothness(vec3 first_m, vec3 normal, vec3 last_m, float penumbra_m) {
     return one_surface ? clamp((px - 2.0) / (kSmooth_px - 2.0), 0.0, 1.0) : 0.0;
 }
 
-// Lookups of pixel i of a square for what is in the way; += x how many found something, y how far along, z how many looked at a part
-// of the light that is above the pixel's horizon: what is below it neither lights nor tells of the rest. Two of them towards
+// Lookups of pixel i of a square for what is in the way; above += how many looked at a part of the light that is above the
+// pixel's horizon: what is below it neither lights nor tells of the rest; lit += how many of those found that nothing is. Two of them towards
 // the light's edge, of which the four pixels see eight points: what hides a little of the light, or leaves a little of it,
 // covers or leaves more of its edge than of its area. One within, for what is smaller than the light.
-void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, inout vec3 found) {
+void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, float shift, bool receives,
+                   inout Blockers found, inout vec2 above) {
     ShadowExtent e = shadow_extent(kShape, record, r.to_light);
     float farthest = kKind == kShadowCascades ? r.point.z : 0.95;
     for (uint k = 0u; k < kSearchTaps; ++k) {
@@ -107,16 +108,16 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
         if (!edge) p *= 0.5;
         if (dot(r.normal, r.to_light + p.x * e.x + p.y * e.y) < 0.0) p = -p;
         vec3 to_point = r.to_light + p.x * e.x + p.y * e.y;
-        bool above = dot(r.normal, to_point) > 0.0;
-        found.z += above ? 1.0 : 0.0;
         float depth = fract(float(4u * k + i) * kSpreadAlong + shift);
         // Distant lights: what is in the way is mostly near for how deep the scene is. Others: an edge is looked at best
         // from behind what hides it.
         float way = farthest * (kKind == kShadowCascades ? depth * depth : edge ? 0.25 + 0.75 * depth : depth);
-        float share;
-        if (in_the_way(kKind, record, r, r.point + way * to_point, vec2(0.0), share) && above) {
-            found.xy += vec2(1.0, share);
-        }
+        bool narrow = spread_texels(kKind, r, e, way) < kNarrowTexels;
+        Sight s = look(kKind, record, r, r.point + way * to_point, vec2(0.0), narrow, 1e30);
+        bool counts = receives && dot(r.normal, to_point) > 0.0;
+        s.hides = s.hides && counts;
+        add_sight(s, found);
+        above += vec2(counts ? 1.0 : 0.0, counts && s.tells && !s.hides ? 1.0 : 0.0);
     }
 }
 
@@ -126,23 +127,22 @@ void search_square(ShadowRecord record, ShadowReceiver r, uint i, vec2 turn, flo
 uint soft_square(ivec2 corner) {
     vec2 turn = vec2(shadow_noise(corner >> 1, 0u), shadow_noise(corner >> 1, 1u));
     float shift = shadow_noise(corner >> 1, 2u);
-    vec3 found = vec3(0.0);
+    Blockers found = kNoBlockers;
+    vec2 above = vec2(0.0);
     float lookups = 0.0;
     for (uint i = 0u; i < 4u; ++i) {
         ivec2 pixel = pixel_of(corner, i);
         ShadowRecord record;
         ShadowReceiver r = receiver_at(pixel, record);
-        vec3 of_pixel = vec3(0.0);
-        search_square(record, r, i, turn, shift, of_pixel);
-        float counts = is_receiver(pixel) ? 1.0 : 0.0;
-        found += of_pixel * counts;
-        lookups += counts * float(kSearchTaps);
+        bool receives = is_receiver(pixel);
+        search_square(record, r, i, turn, shift, receives, found, above);
+        lookups += receives ? float(kSearchTaps) : 0.0;
     }
-    if (found.z == 0.0) return 0u;
+    if (above.x == 0.0) return 0u;
     // Where some pixels face away, as at the inner edge of a room, the others had few lookups.
-    if (found.x == 0.0 && found.z == lookups) return 0xffffffffu;
-    bool partly = found.x < lookups;
-    float way = found.x > 0.0 ? found.y / found.x : kNearWay;
+    if (above.y == lookups) return 0xffffffffu;
+    bool partly = found.lookups < lookups;
+    float way = found.lookups > 0.0 ? found.share / found.lookups : kNearWay;
     uint bytes = 0u;
     vec3 first_point = vec3(0.0);
     vec3 first_normal = vec3(0.0);
@@ -152,7 +152,8 @@ uint soft_square(ivec2 corner) {
         ivec2 pixel = pixel_of(corner, i);
         ShadowRecord record;
         ShadowReceiver r = receiver_at(pixel, record);
-        float visibility = filter_visibility(kKind, kShape, record, r, way, i, kInSquare, partly ? kFilterTaps : 0u, turn.yx);
+        float visibility = filter_visibility(kKind, kShape, record, r, way, found.nearest, i, kInSquare,
+                                             partly ? kFilterTaps : 0u, turn.yx);
         bytes |= in_byte(behind_light(record, r) ? 1.0 : visibility, i);
         whole = whole && is_receiver(pixel);
         if (i == 0u) {
