@@ -53,6 +53,10 @@ const float kGrazingTexels = 2.0;
 const float kContactTexels_deep = 1.0;
 // Ways that spread over fewer texels all look about the receiver: there lookups may not be able to tell.
 const float kNarrowTexels = 2.0;
+// What is that near in the way stands at the receiver's own edge: texels of the way to the light. There it must be ahead by so
+// many times of what it is aside, or stand between light and camera.
+const float kNearTexels = 4.0;
+const float kAheadByAside = 1.7;
 // With the light as steep as that on the plane (tangent of the angle to its normal) nothing is before or behind.
 const float kSteepTangent = 0.1;
 // Nothing is as far as that; its square is a float.
@@ -65,6 +69,8 @@ struct ShadowReceiver {
     vec3 to_light;     // to the middle of the light; distant lights: 1 m of that way
     vec3 progress;     // its product with a way is the share of to_light that the way has covered
     vec3 along;        // to_light's part within the receiver's plane; 0 for a light straight above it
+    vec3 across;       // along, turned about the normal by a right angle
+    vec3 view_across;  // so is the way to the camera
     float texel_m;     // size of a texel at the receiver
     float slack;       // m
     float bulge;       // m that facets of the same smooth surface may rise
@@ -116,6 +122,8 @@ ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, 
     float upwards = dot(r.to_light, r.normal);
     r.along = r.to_light - upwards * r.normal;
     if (dot(r.along, r.along) < kSteepTangent * kSteepTangent * upwards * upwards) r.along = vec3(0.0);
+    r.across = cross(r.normal, r.along);
+    r.view_across = cross(r.normal, to_frame(record, view_direction(position_m)));
     return r;
 }
 
@@ -192,7 +200,9 @@ struct Sight {
 // narrow: the lookup is about the receiver itself. nearest: share of the nearest of what is known to be in the way.
 //
 // What rises above the plane is in the way when it stands before the receiver, and that is judged at its foot, straight below it
-// on the plane: the foot of a wall behind the receiver is behind it, however the texels lean over. What shows a point below the
+// on the plane: the foot of a wall behind the receiver is behind it, however the texels lean over. At the edge between two
+// surfaces that foot may be aside; then the other surface is in the way if the camera, which sees the receiver, is on its other
+// side than the light is. What shows a point below the
 // plane looks past the receiver's surface, and what shows the plane as near as the foot of something in the way may show
 // that foot. Nor can it be told what is outside of the map. On smooth surfaces, whose own facets rise and fall, all that does not hide shows.
 Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec2 jitter_texels, bool narrow, float nearest) {
@@ -211,7 +221,11 @@ Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec
     bool beyond = kind == kShadowCube && dot(surface, way) > 0.0;
     bool before = receiver.grazing_m > 0.0 && s.share > receiver.grazing_m;
     bool rises = height > tolerance_m;
-    bool stands = rises && (!narrow || dot(way, receiver.along) >= 0.0);
+    float ahead = dot(way, receiver.along);
+    float aside = dot(way, receiver.across);
+    bool near = s.share < kNearTexels * receiver.texel_m * length(receiver.progress);
+    bool apart = aside * dot(way, receiver.view_across) < 0.0 || ahead > kAheadByAside * abs(aside) || !near;
+    bool stands = rises && (!narrow || (ahead >= 0.0 && (apart || receiver.along == vec3(0.0))));
     s.hides = s.share > 0.0 && (stands || before) && !beyond;
     float foot = nearest - kContactTexels_deep * receiver.texel_m * length(receiver.progress);
     bool shows = !rises && height > -tolerance_m && s.share < foot;
@@ -335,12 +349,16 @@ float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec3 point = r.point;
     vec3 normal = r.normal;
     vec3 along = r.along;
+    vec3 across = r.across;
+    vec3 view_across = r.view_across;
     vec2 center = record.texels.zw;
     if (kind == kShadowCube) {
         CubeFace f = cube_face(record, point);
         point = into_face(f, point);
         normal = into_face(f, normal);
         along = into_face(f, along);
+        across = into_face(f, across);
+        view_across = into_face(f, view_across);
         center = f.first + record.numbers.z;
     }
     bool parallel = kind == kShadowCascades;
@@ -370,10 +388,16 @@ float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec4 weights = vec4(1.0 - weight.x, weight.x, weight.x, 1.0 - weight.x) *
                    vec4(weight.y, weight.y, 1.0 - weight.y, 1.0 - weight.y);
     vec4 ahead = along.x * x + along.y * y + along.z * z;
+    vec4 aside = across.x * x + across.y * y + across.z * z;
+    vec4 seen_aside = view_across.x * x + view_across.y * y + view_across.z * z;
+    // 1 where what rises stands between light and camera, or far before the receiver.
+    vec4 apart = mix(vec4(0.0), vec4(1.0), lessThan(aside * seen_aside, vec4(0.0)));
+    apart = mix(apart, vec4(1.0), greaterThanEqual(ahead, kAheadByAside * abs(aside)));
+    apart = mix(apart, vec4(1.0), lessThan(z, vec4(-kNearTexels * r.texel_m)));
     bvec4 rises = greaterThan(height, tolerance_m);
     vec4 hidden = mix(vec4(0.0), weights, lessThan(z, vec4(0.0)));
     hidden = mix(vec4(0.0), hidden, rises);
-    hidden = mix(vec4(0.0), hidden, greaterThanEqual(ahead, vec4(0.0)));
+    hidden = mix(vec4(0.0), hidden * apart, greaterThanEqual(ahead, vec4(0.0)));
     vec4 of_blockers = mix(vec4(-1e30), z, greaterThan(hidden, vec4(0.0)));
     float last = max(max(of_blockers.x, of_blockers.y), max(of_blockers.z, of_blockers.w));
     vec4 shown = mix(vec4(0.0), weights, greaterThan(height, -tolerance_m));

@@ -80,7 +80,11 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     if (lean > kMostLean && dot(n, v) < 0.35) across = n;
     lean = min(lean, kMostLean);
     // 1/m: how fast the shading normal turns on the way to the neighbours.
-    float bend = max(turn_right * inversesqrt(dot(way_right, way_right)), turn_down * inversesqrt(dot(way_down, way_down)));
+    float right_m = length(way_right);
+    float down_m = length(way_down);
+    float bend = max(turn_right / right_m, turn_down / down_m);
+    // A neighbour far away is of another surface, and tells nothing of how this one bends.
+    if (pixel_m > 0.0 && max(right_m, down_m) > 8.0 * pixel_m) bend = right_m < down_m ? turn_right / right_m : turn_down / down_m;
     return vec4(across, 3.0 * lean * lean / max(bend, 1e-3));
 }
 
