@@ -76,6 +76,12 @@ void check_request(const CompareOptions& options) {
             throw Error(Fault::usage, "unknown kind of output", file, ".html, .png or .exr");
         io::check_output_file(file);
     }
+    const SceneOptions& scene = options.scene;
+    const std::size_t rendered = std::max<std::size_t>(1, scene.profiles.size()) + (scene.truth ? 2 : 0);
+    const std::size_t pictures = is_scene(options.inputs[0]) ? rendered : options.inputs.size();
+    if (!options.names.empty() && options.names.size() != pictures)
+        throw Error(Fault::usage, "as many names as pictures are needed", "--names",
+                    std::to_string(pictures) + " pictures here");
     const auto scenes = std::count_if(options.inputs.begin(), options.inputs.end(), is_scene);
     if (scenes == 0 && options.inputs.size() < 2)
         throw Error(Fault::usage, "one picture has nothing to be compared with", options.inputs[0],
@@ -108,9 +114,6 @@ Lineup line_up(const CompareOptions& options) {
         out.reference = out.pictures.size() - 1;
     }
     if (!options.names.empty()) {
-        if (options.names.size() != out.pictures.size())
-            throw Error(Fault::usage, "as many names as pictures are needed", "--names",
-                        std::to_string(out.pictures.size()) + " pictures here");
         for (std::size_t i = 0; i < options.names.size(); ++i) out.pictures[i].name = options.names[i];
     } else {
         // Pictures of one name in two folders are told apart by their paths.

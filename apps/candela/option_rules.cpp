@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <regex>
 
 #include "candela/io/json_reader.hpp"
 #include "candela/scene/error.hpp"
@@ -69,6 +70,18 @@ std::string unexpected(const Reached& at, const std::vector<std::string>& left) 
     }
     return refused("not expected", left.front(), io::nearest_name(left.front(), subcommands_of(*at.command)),
                    help);
+}
+
+/// CLI11's words where they are a parser's and not a user's.
+std::string plain(const std::string& what) {
+    std::smatch match;
+    if (std::regex_match(what, match, std::regex(R"(Could not convert: (\S+) = (.*))")))
+        return match[1].str() + ": not what it takes: " + match[2].str();
+    if (std::regex_match(what, match, std::regex(R"((\S+): 1 required \S+ missing)")))
+        return match[1].str() + ": needs a value";
+    if (std::regex_match(what, match, std::regex(R"((\S+): At least (\d+) required but received (\d+))")))
+        return match[1].str() + ": needs " + match[2].str() + " values and has " + match[3].str();
+    return what;
 }
 
 }  // namespace
@@ -148,7 +161,7 @@ std::string parse_error_line(const CLI::App& app, const CLI::ParseError& error,
     const std::vector<std::string> left = app.remaining(true);
     const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     if (extra && !left.empty()) return unexpected(at, left);
-    return what + " (" + at.name + " --help)";
+    return plain(what) + " (" + at.name + " --help)";
 }
 
 }  // namespace candela::app

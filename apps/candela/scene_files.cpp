@@ -21,11 +21,11 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
     command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
     command.add_option("--light-scale", o.light_scale, "Multiplies every light of the scene file");
     command
-        .add_option(
-            "--light-units", o.light_units,
+        .add_option_function<std::string>(
+            "--light-units", [&o, units](const std::string& name) { o.light_units = units.at(name); },
             "What the scene file's punctual lights are in: spec (cd, lx; Blender's Standard), or Blender's "
             "unitless or raw")
-        ->transform(CLI::CheckedTransformer(units).description(""));
+        ->check(CLI::IsMember({"spec", "standard", "unitless", "raw"}));
     command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
 }
 

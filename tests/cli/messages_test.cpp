@@ -29,6 +29,12 @@ TEST(Messages, AMisspeltCommandOrOptionGetsItsNeighbour) {
     expect_one_line(run_candela(""), 2, "needs a command: render");
     expect_one_line(run_candela("env"), 2, "needs a command: info, calibrate, split");
     expect_one_line(run_candela("render scene.glb extra"), 2, "extra: not expected (candela render --help)");
+    expect_one_line(run_candela("render scene.glb --size"), 2, "--size: needs a value");
+    expect_one_line(run_candela("render scene.glb --seed -1"), 2, "--seed: not what it takes: -1");
+    expect_one_line(run_candela("meter scene.glb --at 0,0"), 2, "--at: needs 3 values and has 2");
+    expect_one_line(run_candela("info scene.glb --light-units ell"), 2, "--light-units: ell not in {");
+    // Before anything is rendered.
+    expect_one_line(run_candela("compare scene.glb --names a"), 2, "--names: as many names as pictures");
     expect_one_line(run_candela("\"$(printf 'two\\nlines')\""), 2, "two?lines: no such command");
 }
 

@@ -329,7 +329,11 @@ TEST(ReadHostile, WhatIsNoLuminanceIsRepairedWithAWarning) {
     spit(folder / "a.ktx2", file.bytes());
     Diagnostics diagnostics;
     const scene::Environment e = io::read_environment(folder / "a.ktx2", diagnostics);
-    EXPECT_EQ(diagnostics.warnings().size(), 2u);
+    ASSERT_EQ(diagnostics.warnings().size(), 3u);
+    EXPECT_EQ(diagnostics.warnings()[0].text,
+              "a.ktx2: negative luminance became 0, in 1 of 6 texels, the least -1 cd/m2");
+    EXPECT_NE(diagnostics.warnings()[1].text.find("not a number became 0, in 1 of 6"), std::string::npos);
+    EXPECT_NE(diagnostics.warnings()[2].text.find("infinite luminance"), std::string::npos);
     for (const glm::vec3& t : e.luminance_nit) EXPECT_TRUE(t.x >= 0.0f && t.x <= 2.01f) << t.x;
 }
 

@@ -346,9 +346,12 @@ TEST(Writing, AFailureLeavesNothingBehind) {
     EXPECT_THROW(write(folder / "out"), Error);
     const auto left = std::distance(std::filesystem::directory_iterator(folder / "out"), {});
     EXPECT_EQ(left, 1) << "only what was in the way";
-    write(folder / "a/new/folder");
-    EXPECT_TRUE(std::filesystem::exists(folder / "a/new/folder/environment.json"));
-    write(folder / "a/new/folder");
+    write(folder / "new");
+    EXPECT_TRUE(std::filesystem::exists(folder / "new/environment.json"));
+    write(folder / "new/");
+    // The last folder is made, no other.
+    EXPECT_THROW(write(folder / "a/new/folder"), Error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
 }  // namespace

@@ -25,14 +25,14 @@ TEST(Device, ListsAtLeastOneUsableDeviceAndOpensIt) {
     EXPECT_TRUE(device.validating()) << "the validation layer of packaging/debian.txt is not installed";
 }
 
-TEST(Device, AnUnknownNameIsAnInputError) {
+TEST(Device, AnUnknownNameIsAUsageError) {
     DeviceOptions options;
     options.select = "no such device";
     try {
         const Device device{options};
         FAIL() << "opened " << device.info().name;
     } catch (const Error& error) {
-        EXPECT_EQ(error.fault(), Fault::input);
+        EXPECT_EQ(error.fault(), Fault::usage);
         EXPECT_NE(error.line().find("no such device"), std::string::npos);
     }
 }

@@ -8,10 +8,10 @@
 using namespace candela::test;
 using nlohmann::json;
 
-TEST(ValidateCommand, AnUnknownIdIsExitCodeOneWithTheNearestName) {
+TEST(ValidateCommand, AnUnknownIdIsExitCodeTwoWithTheNearestName) {
     const TemporaryFolder folder;
     const Outcome outcome = run_candela("validate --only frostbite_tabel10 -o " + (folder / "out"));
-    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(lines(outcome.err), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find("frostbite_table10"), std::string::npos) << outcome.err;

@@ -80,12 +80,12 @@ TEST(Registry, SelectionKeepsTheOrderThatWasAskedFor) {
     EXPECT_EQ(select_experiments(all_experiments(), {}).size(), all_experiments().size());
 }
 
-TEST(Registry, AnUnknownIdIsAnInputErrorWithTheNearestName) {
+TEST(Registry, AnUnknownIdIsAUsageErrorWithTheNearestName) {
     try {
         (void)select_experiments(all_experiments(), {"karis2013_figur2"});
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_EQ(error.fault(), Fault::input);
+        EXPECT_EQ(error.fault(), Fault::usage);
         EXPECT_NE(error.hint().find("karis2013_figure2"), std::string::npos) << error.hint();
     }
 }

@@ -41,7 +41,7 @@ struct DeviceOptions {
 /// it. Not thread-safe: one thread records and submits.
 class Device {
   public:
-    /// Throws Error: Fault::machine without a usable device, Fault::input when `select` names none.
+    /// Throws Error: Fault::machine without a usable device, Fault::usage when `select` names none.
     explicit Device(const DeviceOptions& options);
     ~Device();
     Device(const Device&) = delete;

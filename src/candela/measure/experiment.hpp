@@ -116,7 +116,7 @@ struct Experiment {
 /// Every experiment, in the order of their ids.
 [[nodiscard]] std::vector<Experiment> all_experiments();
 
-/// The experiments with these ids, in this order; all when there are none. Throws Error (Fault::input) for an
+/// The experiments with these ids, in this order; all when there are none. Throws Error (Fault::usage) for an
 /// unknown id, with the nearest one as hint.
 [[nodiscard]] std::vector<Experiment> select_experiments(std::vector<Experiment> known,
                                                          const std::vector<std::string>& ids);
