@@ -32,7 +32,7 @@ Experiment planted(double bound, const std::string& id = "planted") {
 
 ValidationOptions into(const TemporaryFolder& folder) {
     ValidationOptions options;
-    options.folder = folder.path() / "made" / "by it";
+    options.folder = folder.path() / "made by it";
     options.techniques_file = folder.path() / "techniques.md";
     return options;
 }
