@@ -147,9 +147,7 @@ scene::ProbeCapture filter_probe(const gpu::Device& device, gpu::Commands& comma
         const std::uint32_t size = kMapSize >> level;
         gpu::Image image(device, {size, size, kFloat4, VK_IMAGE_USAGE_STORAGE_BIT});
         const float step = float(level) / float(kMapLevels - 1);
-        const MapBlock block{static_cast<std::int32_t>(size),
-                             step * step,
-                             color.nit_per_unit,
+        const MapBlock block{static_cast<std::int32_t>(size), step * step, color.nit_per_unit,
                              visibility.nit_per_unit};
         commands.begin();
         commands.begin_pass("probe maps");

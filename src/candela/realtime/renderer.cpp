@@ -214,8 +214,7 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     block.exposure = glm::vec4(pre, 1.0f / pre, footprint, 0.0f);
     block.environment = glm::vec4(std::cos(environment_rotation_rad), std::sin(environment_rotation_rad),
                                   frame.environment.nit_per_unit, environment_visible ? 1.0f : 0.0f);
-    block.size =
-        glm::ivec4(frame.width, frame.height, gpu_scene.light_count, 0);
+    block.size = glm::ivec4(frame.width, frame.height, gpu_scene.light_count, 0);
     block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
     write_light_places(block, frame, gpu_scene, scene_bounds);
     block.random = glm::uvec4(sample, options.seed, draws, 0);

@@ -12,17 +12,12 @@
 #define CANDELA_SHADOW_LOOKUP_GLSL
 
 #include "basis.glsl"
+#include "shadow_points.glsl"
 
 // C++: ShadowKind. Functions take the kind as a parameter: where it is a constant, only its own code is compiled.
 const uint kShadowCascades = 0u;
 const uint kShadowPerspective = 1u;
 const uint kShadowCube = 2u;
-// C++: ShadowShape.
-const int kShapePoint = 0;
-const int kShapeFacingDisc = 1;
-const int kShapeDisc = 2;
-const int kShapeRectangle = 3;
-const int kShapeTube = 4;
 
 struct ShadowRecord {
     vec4 right;
@@ -65,27 +60,23 @@ const float kNoDepth = 1e-12;
 // A receiver in the frame of one record, where z is the depth from the light.
 struct ShadowReceiver {
     vec3 point;
-    vec3 normal;       // unit
-    vec3 to_light;     // to the middle of the light; distant lights: 1 m of that way
-    vec3 progress;     // its product with a way is the share of to_light that the way has covered
-    vec3 along;        // to_light's part within the receiver's plane; 0 for a light straight above it
-    vec3 across;       // along, turned about the normal by a right angle
-    vec3 view_across;  // so is the way to the camera
-    float texel_m;     // size of a texel at the receiver
-    float slack;       // m
-    float bulge;       // m that facets of the same smooth surface may rise
-    float grazing_m;   // of a distant light along the surface: what is so far in the way hides it, wherever it stands; else 0
+    vec3 normal;        // unit
+    vec3 to_light;      // to the middle of the light; distant lights: 1 m of that way
+    vec3 progress;      // its product with a way is the share of to_light that the way has covered
+    vec3 along;         // to_light's part within the receiver's plane; 0 for a light straight above it
+    vec3 across;        // along, turned about the normal by a right angle
+    vec3 view_across;   // so is the way to the camera
+    float texel_m;      // size of a texel at the receiver
+    float texel_share;  // of the way to the light
+    float slack;        // m
+    float bulge;        // m that facets of the same smooth surface may rise
+    float grazing_m;    // of a distant light along the surface: what is so far in the way hides it, wherever it stands; else 0
 };
 // What shines: from its middle to its edges.
 struct ShadowExtent {
     vec3 x;
     vec3 y;
 };
-
-// Fractions of multiples of these are spread evenly: the golden ratio's, and the plastic ratio's, which keeps step with no
-// multiple of the first (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
-const float kSpreadAround = 0.6180339887;
-const float kSpreadAlong = 0.7548776662;
 
 // Per-pixel numbers in [0,1): neighbours differ most (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
 // Advanced Warfare"). Another sample of the same pixel goes on along a sequence, so that stills converge.
@@ -118,6 +109,7 @@ ShadowReceiver shadow_receiver(uint kind, ShadowRecord record, vec3 position_m, 
                                          : vec3(0.0, 0.0, 1.0 / min(r.to_light.z, -1e-6));
         r.texel_m = record.numbers.w * length(r.point);
     }
+    r.texel_share = r.texel_m * length(r.progress);
     r.slack = kPlaneLeast_m + kPlaneTexels * r.texel_m;
     float upwards = dot(r.to_light, r.normal);
     r.along = r.to_light - upwards * r.normal;
@@ -223,51 +215,14 @@ Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec
     bool rises = height > tolerance_m;
     float ahead = dot(way, receiver.along);
     float aside = dot(way, receiver.across);
-    bool near = s.share < kNearTexels * receiver.texel_m * length(receiver.progress);
+    bool near = s.share < kNearTexels * receiver.texel_share;
     bool apart = aside * dot(way, receiver.view_across) < 0.0 || ahead > kAheadByAside * abs(aside) || !near;
     bool stands = rises && (!narrow || (ahead >= 0.0 && (apart || receiver.along == vec3(0.0))));
     s.hides = s.share > 0.0 && (stands || before) && !beyond;
-    float foot = nearest - kContactTexels_deep * receiver.texel_m * length(receiver.progress);
+    float foot = nearest - kContactTexels_deep * receiver.texel_share;
     bool shows = !rises && height > -tolerance_m && s.share < foot;
     s.tells = s.hides || (!outside && (shows || !narrow || receiver.bulge > 0.0));
     return s;
-}
-
-// Points of the light in units of its extent, one after the other: of a Fibonacci spiral on round shapes, of a Fibonacci
-// lattice on others, each turned by the pixel's own numbers. The four pixels of a square share one set and take every
-// fourth. The spiral turns by a rotation: sines in every lookup would cost more than the lookup.
-struct LightPoints {
-    vec2 around;  // unit; others than round: x in [0,1)
-    float along;  // in [0,1)
-    float step;
-};
-const uint kAlone = 1u;
-const uint kInSquare = 4u;
-bool is_round(int shape) { return shape == kShapeFacingDisc || shape == kShapeDisc; }
-// Unit vector of a turn in [0,1), spread a little unevenly: parabolas for sine and cosine, which a software device calls one
-// lane after the other.
-vec2 turned(float turn) {
-    vec2 x = fract(vec2(turn + 0.25, turn)) * 2.0 - 1.0;
-    vec2 v = x * (1.0 - abs(x));
-    return v * inversesqrt(dot(v, v));
-}
-LightPoints light_points(int shape, uint first, uint stride, uint count, vec2 turn) {
-    float around = fract(float(first) * kSpreadAround + turn.x);
-    LightPoints p;
-    p.around = is_round(shape) ? turned(around) : vec2(around, 0.0);
-    p.step = 1.0 / float(count);
-    p.along = fract(float(first) / float(stride) + turn.y) * p.step;
-    return p;
-}
-vec2 next_point(int shape, uint stride, inout LightPoints p) {
-    vec2 point = is_round(shape) ? sqrt(p.along) * p.around : vec2(p.around.x, p.along) * 2.0 - 1.0;
-    // Cosine and sine of one turn and of four by the golden ratio.
-    vec2 golden = stride == kAlone ? vec2(-0.7373688781, -0.6754902943) : vec2(-0.9847134853, 0.1741819504);
-    p.around = is_round(shape) ? vec2(p.around.x * golden.x - p.around.y * golden.y,
-                                      p.around.x * golden.y + p.around.y * golden.x)
-                               : vec2(fract(p.around.x + float(stride) * kSpreadAround), 0.0);
-    p.along += p.step;
-    return point;
 }
 
 // Percentage-closer soft shadows (Fernando 2005): first how far away what is in the way is on average, then the share of
@@ -338,7 +293,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
         nearest = s.hides ? min(nearest, s.share) : nearest;
         deepest = s.tells && !s.hides ? min(deepest, s.share) : deepest;
     }
-    float foot = nearest - kContactTexels_deep * r.texel_m * length(r.progress);
+    float foot = nearest - kContactTexels_deep * r.texel_share;
     if (narrow && r.bulge <= 0.0 && deepest >= foot) seen = 0.0;
     return told > 0.0 ? seen / told : all > 0.0 ? 1.0 : 0.0;
 }
