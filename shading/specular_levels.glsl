@@ -7,10 +7,11 @@
 
 CANDELA_SHADING_BEGIN
 
-const int kSpecularLevels = 9;
-const int kSpecularSize = 512;  // of the finest two, gutters included
+CONSTANT int kSpecularLevels = 9;
+CONSTANT int kSpecularSize = 512;  // of the finest two, gutters included
 
-// Perceptual roughness that a level stands for: evenly spaced (Karis 2013), so that alpha grows as the square.
+// Perceptual roughness that a level stands for. Own choice: evenly spaced, so that alpha grows as the square; Frostbite equation
+// 63 spaces by the root of roughness, as reflection probes do (probe_ld()).
 FN float specular_level_roughness(int level) { return float(level) / float(kSpecularLevels - 1); }
 
 FN int specular_level_size(int level) { return kSpecularSize >> (level / 2); }

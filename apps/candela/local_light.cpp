@@ -96,17 +96,18 @@ std::string notes_of(const scene::Scene& scene) {
 }
 
 /// The notes that were made when the volumes were baked, or new ones.
-void warn_of_volumes(std::filesystem::path file, Job& job) {
+void warn_of_volumes(std::filesystem::path file, bool refresh, Job& job) {
     if (!file.empty()) file.replace_extension("notes");
-    // A file of no notes ends with its mark all the same: what is cut off is nothing.
-    constexpr const char* end = "end\n";
-    std::string notes = read_cache(file);
+    // A file of no notes ends with its mark all the same: what is cut off is nothing. The mark numbers the
+    // survey's rules.
+    constexpr const char* end = "end 2\n";
+    std::string notes = refresh ? "" : read_cache(file);
     if (!notes.ends_with(end)) {
         notes = notes_of(job.scene) + end;
         write_cache(file, notes);
     }
     std::istringstream lines(notes);
-    for (std::string line; std::getline(lines, line) && line != "end";) job.diagnostics.warn(line);
+    for (std::string line; std::getline(lines, line) && line + "\n" != end;) job.diagnostics.warn(line);
 }
 
 }  // namespace
@@ -131,7 +132,7 @@ LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& opti
         (void)io::decode_irradiance(bytes, key, volumes);
         write_cache(report.file, bytes);
     }
-    warn_of_volumes(options.refresh ? std::filesystem::path{} : report.file, job);
+    warn_of_volumes(report.file, options.refresh, job);
     report.seconds = seconds_since(start);
     return report;
 }

@@ -65,6 +65,8 @@ std::string unexpected(const Reached& at, const std::vector<std::string>& left) 
                                      [](const std::string& a) { return a.size() > 1 && a.front() == '-'; });
     if (option != left.end()) {
         const std::string name = option->substr(0, option->find('='));
+        if (at.command->get_option_no_throw(name) != nullptr)
+            return refused("stands before the command", name, "", at.name + " ... " + name);
         return refused("no such option of " + at.name, name, io::nearest_name(name, options_of(*at.command)),
                        help);
     }

@@ -70,10 +70,11 @@ std::vector<std::filesystem::path> write_probe_pictures(const Job& job, const st
     for (std::size_t i = 0; i < job.scene.reflection_probes.size(); ++i) {
         const scene::ReflectionProbe& probe = job.scene.reflection_probes[i];
         const std::string stem = stem_of(probe, i);
-        files.push_back(folder / (stem + ".png"));
+        std::filesystem::path file = folder / (stem + ".png");
         // Probes of one name are told apart.
-        if (std::count(files.begin(), files.end(), files.back()) > 1)
-            files.back() = folder / (stem + " " + std::to_string(i) + ".png");
+        for (std::size_t k = i; std::find(files.begin(), files.end(), file) != files.end(); ++k)
+            file = folder / (stem + " " + std::to_string(k) + ".png");
+        files.push_back(file);
         io::write_png(files.back(), kWidth, 2 * kHeight,
                       std::span<const std::uint8_t>(picture_of(probe.capture)));
     }

@@ -51,6 +51,8 @@ TEST(Contradictions, OfEnvironments) {
              Case{"render s.glb --env-layout cross", "--env-layout: has no effect"},
              Case{"info s.glb --env none --env-scale 5", "--env-scale: has no effect"},
              Case{"info --env sky", "--env: has no effect without a scene"},
+             Case{"info --env-scale 2", "--env-scale: has no effect without a scene"},
+             Case{"info --env-keep-sun", "--env-keep-sun: has no effect without a scene"},
              Case{"render s.glb --env sky:elevation=1,elevation=2", "given twice: elevation"},
              Case{"bake sky:turbidity=3,elevation=1,turbidity=3", "given twice: turbidity"},
              Case{"render s.glb --env sky:", "names no key"},

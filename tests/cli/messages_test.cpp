@@ -35,6 +35,7 @@ TEST(Messages, AMisspeltCommandOrOptionGetsItsNeighbour) {
     expect_one_line(run_candela("info scene.glb --light-units ell"), 2, "--light-units: ell not in {");
     // Before anything is rendered.
     expect_one_line(run_candela("compare scene.glb --names a"), 2, "--names: as many names as pictures");
+    expect_one_line(run_candela("--size 4x4 render s.glb"), 2, "--size: stands before the command");
     expect_one_line(run_candela("\"$(printf 'two\\nlines')\""), 2, "two?lines: no such command");
 }
 
@@ -183,7 +184,8 @@ TEST(Messages, CompareShowsNamesInFull) {
         const std::size_t begin = outcome.out.rfind('\n', at) + 1;
         return outcome.out.substr(begin, outcome.out.find('\n', at) - begin);
     };
-    EXPECT_EQ(line(long_name).size(), line("\nflip").empty() ? 0 : line("rmse").size());
+    ASSERT_NE(outcome.out.find("\nrmse "), std::string::npos) << outcome.out;
+    EXPECT_EQ(line(long_name).size(), line("rmse ").size()) << outcome.out;
 }
 
 // Two suns are seldom meant: a scene made for its own sun under a sky with one.

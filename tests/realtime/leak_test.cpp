@@ -161,8 +161,13 @@ TEST(Leak, TheBorderOfACascadeIsNotLit) {
     s.lights = {light_at(LightType::sun, way, glm::vec3(0.0f), 10.0f)};
     s.lights[0].angular_diameter_rad = glm::radians(0.5329f);
     static const gpu::Device device{validated()};
+    realtime::RendererOptions unshadowed = leak_options(256);
+    unshadowed.shadows.maps = false;
     realtime::Renderer renderer(device, s, leak_options(256));
+    realtime::Renderer without(device, s, unshadowed);
     const scene::Camera camera = scene::look_at({2.1f, 1.4f, 0.0f}, {4.1f, 0.3f, -2.5f}, 1.5707963f);
     const realtime::Still still = renderer.render_still(camera, fixed_ev(8.0f));
     for (const glm::vec4& light : still.planes.light_nit) ASSERT_EQ(light.x, 0.0f);
+    EXPECT_GT(center(without.render_still(camera, fixed_ev(8.0f))).x, 0.1f);
+    EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
 }

@@ -195,34 +195,41 @@ vec3 local_irradiance(vec3 position, vec3 n, vec3 v, vec3 direction, vec3 distan
     return sum + rest * distant;
 }
 
-// Prefiltered light about a lobe, read in one or two places (the other's weight 0): the probes, then the distant light. Where
-// no probe reaches but a volume does, the volume's smooth light is nearer to the truth than a sky that may be behind walls.
-vec3 local_specular(vec3 position, vec3 n, vec3 v, LobeRead first, LobeRead second, vec3 distant) {
+// Prefiltered light about a lobe, read in one or two places (the other's weight 0), each over what the distant light has there:
+// what a probe hides is hidden from that read alone. Where no probe reaches but a volume does, the volume's smooth light is
+// nearer to the truth than a sky that may be behind walls.
+vec3 local_specular(vec3 position, vec3 n, vec3 v, LobeRead first, LobeRead second, vec3 first_distant, vec3 second_distant) {
     if (kCapturesProbe) return vec3(0.0);
     float reach = 0.0;
-    ProbeSum sum = empty_probe_sum();
-    if ((kLocalLight & kLocalProbes) != 0u) {
-        for (int i = 0; i < 2; ++i) {
-            LobeRead read = i == 0 ? first : second;
-            if (read.weight <= 0.0) continue;
-            ProbeSum seen = probes_specular(position, read.direction, read.perceptual_roughness, reach);
-            sum.luminance_nit += read.weight * seen.luminance_nit;
-            sum.alpha += read.weight * seen.alpha;
+    vec3 seen_nit = vec3(0.0);
+    vec3 distant_nit = vec3(0.0);
+    float open = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        LobeRead read = i == 0 ? first : second;
+        if (read.weight <= 0.0) continue;
+        ProbeSum seen = empty_probe_sum();
+        if ((kLocalLight & kLocalProbes) != 0u) {
+            seen = probes_specular(position, read.direction, read.perceptual_roughness, reach);
         }
+        float open_here = read.weight * (1.0 - seen.alpha);
+        seen_nit += read.weight * seen.luminance_nit;
+        distant_nit += open_here * (i == 0 ? first_distant : second_distant);
+        open += open_here;
     }
     if ((kLocalLight & kLocalVolumes) != 0u && reach < 0.999) {
         // The smallest volume first, as for diffuse light.
+        vec3 middle = normalize(first.weight * first.direction + second.weight * second.direction);
         uint record = local_quads[0].w;
         float rest = 1.0 - reach;
         vec3 smooth_nit = vec3(0.0);
         for (uint i = 0u; i < local_quads[0].z && rest > 0.001; ++i, record += kVolumeQuads) {
-            vec4 light = volume_irradiance(record, position, n, v, first.direction);
+            vec4 light = volume_irradiance(record, position, n, v, middle);
             smooth_nit += light.rgb * (light.w * rest);
             rest *= 1.0 - light.w;
         }
-        distant = smooth_nit + distant * (reach + rest);
+        distant_nit = open * smooth_nit + distant_nit * (reach + rest);
     }
-    return add_distant(sum, distant);
+    return seen_nit + distant_nit;
 }
 
 // A surface as a probe sees it: from one place, so without what depends on the viewer. Metals are diffuse with their f0 as

@@ -129,19 +129,29 @@ vec3 diffuse_direction(SurfacePoint p) {
     if (kDiffuse == kDiffuseLambert) return p.g.normal;
     return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness));
 }
-// Local light in a lobe over the distant light in it. share: fresnel_share() of the lobe.
-vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughness, float share, vec3 distant) {
+
+// Local light in a lobe, read as the distant light is, but for three reads of it, which are two here. share: fresnel_share() of
+// the lobe. distant: seen in it already; whole: by reads that are not the lobe's own.
+vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughness, float share, vec3 distant, bool whole) {
     LobeRead first = LobeRead(2.0 * dot(n, p.v) * n - p.v, perceptual_roughness, 1.0);
     LobeRead second = LobeRead(first.direction, perceptual_roughness, 0.0);
+    vec3 first_distant = distant;
+    vec3 second_distant = distant;
+    float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
     if (kReflection >= kReflectionStretched2) {
         stretched_reflection_2(n, p.v, NoV, perceptual_roughness, share, first, second);
+        if (kReflection == kReflectionStretched2 && !whole) {
+            first_distant = environment_glossy(first.direction, first.perceptual_roughness);
+            second_distant = environment_glossy(second.direction, second.perceptual_roughness);
+        }
     } else if (kReflection == kReflectionFitted) {
         first = fitted_reflection(n, p.v, NoV, perceptual_roughness, share);
-    } else if (kReflection != kReflectionMirror) {
-        float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
+    } else if (kReflection == kReflectionDominantFit) {
+        first.direction = normalize(specular_dominant_direction_fit(n, first.direction, NoV, alpha));
+    } else if (kReflection == kReflectionDominant) {
         first.direction = normalize(specular_dominant_direction(n, first.direction, alpha));
     }
-    return local_specular(p.position, n, p.v, first, second, distant);
+    return local_specular(p.position, n, p.v, first, second, first_distant, second_distant);
 }
 
 void add_environment(SurfacePoint p, inout Lit lit) {
@@ -155,7 +165,8 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     vec3 radiance = environment_base(p);
     if (kLocalLight != 0u) {
         irradiance_over_pi = local_irradiance(p.position, g.normal, v, diffuse_direction(p), irradiance_over_pi);
-        radiance = local_reflection(p, g.normal, NoV, g.surface.perceptual_roughness, base_fresnel_share(p), radiance);
+        bool whole = kShadeLayers && g.surface.anisotropy > 0.0;
+        radiance = local_reflection(p, g.normal, NoV, g.surface.perceptual_roughness, base_fresnel_share(p), radiance, whole);
     }
     if (kDfg == kDfgFullyRough) {
         lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
@@ -176,13 +187,14 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
     vec3 coat_radiance = environment_specular(g.coat_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
     if (kLocalLight != 0u) {
-        coat_radiance = local_reflection(p, g.coat_normal, coat_NoV, g.surface.coat_perceptual_roughness, 0.0, coat_radiance);
+        coat_radiance = local_reflection(p, g.coat_normal, coat_NoV, g.surface.coat_perceptual_roughness, 0.0, coat_radiance,
+                                        false);
     }
     vec3 sheen = environment_sheen(p, irradiance_over_pi);
     if (kLocalLight != 0u && kReflection >= kReflectionFitted && max_component(g.surface.sheen_color) > 0.0) {
         LobeRead read = sheen_read(g.normal, v, NoV, g.surface.sheen_perceptual_roughness);
-        LobeRead whole = LobeRead(normalize(read.direction), read.perceptual_roughness, 1.0);
-        sheen = local_specular(p.position, g.normal, v, whole, LobeRead(whole.direction, 1.0, 0.0), sheen);
+        LobeRead one = LobeRead(normalize(read.direction), read.perceptual_roughness, 1.0);
+        sheen = local_specular(p.position, g.normal, v, one, LobeRead(one.direction, 1.0, 0.0), sheen, sheen);
     }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
     lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +

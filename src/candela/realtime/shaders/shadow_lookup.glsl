@@ -299,7 +299,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
 }
 
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in
-// each is compared as in_the_way() does it.
+// each is judged as look() does it, but that near and before are by depth instead of by the way to the light.
 float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec3 point = r.point;
     vec3 normal = r.normal;

@@ -14,6 +14,10 @@ layout(set = 0, binding = 3, rgba32ui) writeonly uniform uimage2D receiver_image
 const float kMostLean = 0.3;
 // Neighbours on one smooth surface are not turned from one another by more.
 const float kMostTurn = 0.7;
+// What is turned by less is parallel.
+const float kLeastTurn = 0.05;
+// Times the way to the next pixel on the steepest slope of the surface's own plane.
+const float kMostApartPixels = 2.5;
 
 const ivec2 kRightwards = ivec2(1, 0);
 const ivec2 kDownwards = ivec2(0, 1);
@@ -74,14 +78,20 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     if (lean < 0.01) return vec4(across, lean < 0.002 ? 0.0 : 1e-4);
     float turn_right = turn_to(right, n);
     float turn_down = turn_to(down, n);
+    float right_m = length(way_right);
+    float down_m = length(way_down);
+    // What is farther away than the plane's own next pixel can be, and parallel or turned by much, is another surface: the top of
+    // a box before the floor behind it.
+    float apart_m = kMostApartPixels * pixel_m / max(dot(n, v), 0.05);
+    bool beyond_right = right_m > apart_m && (turn_right < kLeastTurn || turn_right > kMostTurn);
+    bool beyond_down = down_m > apart_m && (turn_down < kLeastTurn || turn_down > kMostTurn);
+    if (pixel_m > 0.0 && (beyond_right || beyond_down)) return vec4(n, 0.0);
     // Behind an edge between two surfaces lies another one's facet.
     if (lean > kMostLean && max(turn_right, turn_down) > kMostTurn) return vec4(n, 0.0);
     // At a silhouette the neighbours tell little of the facet.
     if (lean > kMostLean && dot(n, v) < 0.35) across = n;
     lean = min(lean, kMostLean);
     // 1/m: how fast the shading normal turns on the way to the neighbours.
-    float right_m = length(way_right);
-    float down_m = length(way_down);
     float bend = max(turn_right / right_m, turn_down / down_m);
     // A neighbour far away is of another surface, and tells nothing of how this one bends.
     if (pixel_m > 0.0 && max(right_m, down_m) > 8.0 * pixel_m) bend = right_m < down_m ? turn_right / right_m : turn_down / down_m;
