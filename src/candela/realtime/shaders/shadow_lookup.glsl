@@ -52,6 +52,9 @@ const float kNarrowTexels = 2.0;
 // many times of what it is aside, or stand between light and camera.
 const float kNearTexels = 4.0;
 const float kAheadByAside = 1.7;
+// Where no lookup can tell, what is so many texels nearer to the light hides it, wherever it stands: under a light along the
+// surface a wall far away is no higher above the plane than a texel is wide.
+const float kBlindTexels = 8.0;
 // With the light as steep as that on the plane (tangent of the angle to its normal) nothing is before or behind.
 const float kSteepTangent = 0.1;
 // Nothing is as far as that; its square is a float.
@@ -187,6 +190,7 @@ vec3 surface_seen(uint kind, ShadowRecord r, vec3 at, vec2 jitter_texels, out bo
 struct Sight {
     bool hides;   // something is in the way
     bool tells;   // that, or that nothing is
+    bool blind;   // as far as depth alone goes, something is
     float share;  // how far along the way to the light what it shows is
 };
 // narrow: the lookup is about the receiver itself. nearest: share of the nearest of what is known to be in the way.
@@ -221,7 +225,9 @@ Sight look(uint kind, ShadowRecord record, ShadowReceiver receiver, vec3 at, vec
     s.hides = s.share > 0.0 && (stands || before) && !beyond;
     float foot = nearest - kContactTexels_deep * receiver.texel_share;
     bool shows = !rises && height > -tolerance_m && s.share < foot;
-    s.tells = s.hides || (!outside && (shows || !narrow || receiver.bulge > 0.0));
+    bool far_before = s.share > kBlindTexels * receiver.texel_share;
+    s.tells = s.hides || (!outside && (shows || !narrow || (receiver.bulge > 0.0 && !far_before)));
+    s.blind = far_before && !outside;
     return s;
 }
 
@@ -279,6 +285,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
     bool narrow = kernel_texels < kNarrowTexels;
     float seen = 0.0;
     float told = 0.0;
+    float open = 0.0;
     float all = 0.0;
     float deepest = 1e30;
     LightPoints points = light_points(shape, first, stride, lookups, turn);
@@ -288,6 +295,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
         float weight = max(dot(r.normal, to_point), 0.0);
         Sight s = look(kind, record, r, r.point + way * to_point, p * spread, narrow, nearest);
         all += weight;
+        open += s.blind ? 0.0 : weight;
         told += s.tells ? weight : 0.0;
         seen += s.tells && !s.hides ? weight : 0.0;
         nearest = s.hides ? min(nearest, s.share) : nearest;
@@ -295,7 +303,7 @@ float filter_visibility(uint kind, int shape, ShadowRecord record, ShadowReceive
     }
     float foot = nearest - kContactTexels_deep * r.texel_share;
     if (narrow && r.bulge <= 0.0 && deepest >= foot) seen = 0.0;
-    return told > 0.0 ? seen / told : all > 0.0 ? 1.0 : 0.0;
+    return told > 0.0 ? seen / told : all > 0.0 ? open / all : 0.0;
 }
 
 // A light without extent: the four texels about the way to it, by how near they are. One gather; what the light sees in
@@ -358,10 +366,12 @@ float point_visibility(uint kind, ShadowRecord record, ShadowReceiver r) {
     vec4 shown = mix(vec4(0.0), weights, greaterThan(height, -tolerance_m));
     shown = mix(shown, vec4(0.0), rises);
     shown = mix(vec4(0.0), shown, greaterThan(z, vec4(last + kContactTexels_deep * r.texel_m)));
-    shown = r.bulge > 0.0 ? weights - hidden : shown;
+    vec4 open = mix(weights, vec4(0.0), lessThan(z, vec4(-kBlindTexels * r.texel_m)));
+    shown = r.bulge > 0.0 ? max(open - hidden, vec4(0.0)) : shown;
     float dark = hidden.x + hidden.y + hidden.z + hidden.w;
     float lit = shown.x + shown.y + shown.z + shown.w;
-    return outside || dark == 0.0 ? 1.0 : lit / (lit + dark);
+    if (outside) return 1.0;
+    return lit + dark > 0.0 ? lit / (lit + dark) : open.x + open.y + open.z + open.w;
 }
 
 // Whether a cascade holds a point with room for the filter. Near its edge some pixels, chosen by their noise, take the
