@@ -9,6 +9,7 @@
 #include "realtime/render_scenes.hpp"
 #include "shading/environment.glsl"
 #include "shading/spherical_harmonics.glsl"
+#include "volume_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;
@@ -41,15 +42,6 @@ std::vector<scene::IrradianceVolume> baked(const scene::Scene& scene, std::uint3
     return truth::bake_irradiance(scene, o);
 }
 
-scene::IrradianceVolume volume(const glm::vec3& middle, const glm::vec3& half_size_m,
-                               const glm::ivec3& cells) {
-    scene::IrradianceVolume v;
-    v.world = at(middle);
-    v.half_size_m = half_size_m;
-    v.cells = cells;
-    return v;
-}
-
 /// A probe that has seen the same everywhere.
 scene::ReflectionProbe uniform_probe(float half_m, float nit, float visibility) {
     scene::ReflectionProbe p;
@@ -69,23 +61,6 @@ scene::Scene metal_floor() {
     scene::Scene s;
     s.materials.push_back(m);
     place(s, square(4.0f), glm::rotate(glm::mat4(1.0f), -0.5f * kPi, {1.0f, 0.0f, 0.0f}));
-    return s;
-}
-
-/// Two closed rooms of 2 m, one lamp: x from -2 to 2, a wall of 6 cm at 0.
-scene::Scene bright_and_dark_room() {
-    scene::Scene s;
-    s.materials.push_back(grey(0.7f));
-    for (const float side : {-1.0f, 1.0f}) {
-        place(s, box({2.2f, 0.1f, 1.2f}), at({0, side * 1.1f, 0}));
-        place(s, box({2.2f, 1.2f, 0.1f}), at({0, 0, side * 1.1f}));
-        place(s, box({0.1f, 1.2f, 1.2f}), at({side * 2.1f, 0, 0}));
-    }
-    place(s, box({0.03f, 1.2f, 1.2f}), glm::mat4(1.0f));
-    scene::Light lamp;
-    lamp.position = {-1.0f, 0.3f, 0.1f};
-    lamp.intensity = 100.0f;
-    s.lights.push_back(lamp);
     return s;
 }
 

@@ -8,6 +8,7 @@
 #include "common/contact_scenes.hpp"
 #include "realtime/render_scenes.hpp"
 #include "shading/probes/volume.glsl"
+#include "volume_scenes.hpp"
 
 using namespace candela;
 using namespace candela::test;
@@ -16,16 +17,6 @@ namespace {
 
 constexpr float kQuarter_rad = 1.57079633f;
 constexpr std::uint32_t kSize = 96;
-
-scene::IrradianceVolume volume(const glm::vec3& middle, const glm::vec3& half_size_m, const glm::ivec3& cells,
-                               float fade_m) {
-    scene::IrradianceVolume v;
-    v.world = at(middle);
-    v.half_size_m = half_size_m;
-    v.cells = cells;
-    v.fade_m = fade_m;
-    return v;
-}
 
 /// With the same light from everywhere, and nothing in the way.
 scene::IrradianceVolume uniform(float half_m, float fade_m, float nit) {
@@ -132,18 +123,7 @@ TEST(NestedVolumes, BakedInOneRoomTheyAgreeAtTheirBorder) {
 // A volume fades beyond its box, but not through the wall at which the box ends: a dark room beside a lit one
 // has its own, and the lit room's is the smaller one, which is asked first.
 TEST(NestedVolumes, ALitRoomsVolumeDoesNotFadeIntoTheDarkOneBesideIt) {
-    scene::Scene s;
-    s.materials.push_back(grey(0.7f));
-    for (const float side : {-1.0f, 1.0f}) {
-        place(s, box({2.2f, 0.1f, 1.2f}), at({0, side * 1.1f, 0}));
-        place(s, box({2.2f, 1.2f, 0.1f}), at({0, 0, side * 1.1f}));
-        place(s, box({0.1f, 1.2f, 1.2f}), at({side * 2.1f, 0, 0}));
-    }
-    place(s, box({0.03f, 1.2f, 1.2f}), glm::mat4(1.0f));
-    scene::Light lamp;
-    lamp.position = {-1.0f, 0.3f, 0.1f};
-    lamp.intensity = 100.0f;
-    s.lights.push_back(lamp);
+    scene::Scene s = bright_and_dark_room();
     s.irradiance_volumes = {volume({-1.015f, 0, 0}, {0.985f, 0.99f, 0.99f}, {4, 4, 4}, 0.25f),
                             volume({1.015f, 0, 0}, {0.985f, 1.0f, 1.0f}, {4, 4, 4}, 0.25f)};
     fill(s);

@@ -17,6 +17,7 @@
 #include "candela/io/image_write.hpp"
 #include "candela/io/image_write_safe.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/half_range.hpp"
 
 namespace candela::io {
 namespace {
@@ -38,9 +39,8 @@ class Stream : public Imf::OStream {
 };
 
 bool fits_half(std::span<const float> values) {
-    constexpr float largest = 65504.0f;
     return std::none_of(values.begin(), values.end(),
-                        [](float v) { return std::isfinite(v) && std::abs(v) > largest; });
+                        [](float v) { return std::isfinite(v) && std::abs(v) > scene::kLargestHalf; });
 }
 
 /// A channel as OpenEXR wants it: in memory already of the type that goes into the file.

@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include "candela/scene/error.hpp"
-
 namespace candela::io {
 namespace {
 
@@ -44,13 +42,17 @@ void check_output_file(const fs::path& file) {
     if (fs::is_directory(file, ignored)) throw input_error("is a folder", file.string());
 }
 
+Error folder_error(const std::error_code& failure, const fs::path& folder) {
+    const bool disk = failure == std::errc::no_space_on_device || failure == std::errc::io_error;
+    return {disk ? Fault::machine : Fault::input, "cannot be made: " + failure.message(), folder.string()};
+}
+
 bool make_output_folder(const fs::path& asked) {
     check_output_folder(asked);
     std::error_code failure;
     const bool made = fs::create_directory(trimmed(asked), failure);
     if (!failure) return made;
-    const bool disk = failure == std::errc::no_space_on_device || failure == std::errc::io_error;
-    throw Error(disk ? Fault::machine : Fault::input, "cannot be made: " + failure.message(), asked.string());
+    throw folder_error(failure, asked);
 }
 
 }  // namespace candela::io

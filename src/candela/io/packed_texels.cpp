@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "candela/scene/half_range.hpp"
+
 namespace candela::io::detail {
 namespace {
 
@@ -32,7 +34,7 @@ float from_small_float(std::uint32_t bits, int mantissa_bits) {
 
 std::uint16_t to_half(float value) noexcept {
     if (std::isnan(value)) return 0;
-    return Imath::half(std::clamp(value, -max_half, max_half)).bits();
+    return Imath::half(std::clamp(value, -scene::kLargestHalf, scene::kLargestHalf)).bits();
 }
 
 float from_half(std::uint16_t bits) noexcept {

@@ -7,7 +7,6 @@
 namespace candela::io::detail {
 
 /// Largest finite values.
-inline constexpr float max_half = 65504.0f;
 inline constexpr float max_rgb9e5 = 65408.0f;
 inline constexpr float max_b10g11r11 = 64512.0f;  ///< of its ten-bit blue; red and green reach 65024
 

@@ -6,16 +6,8 @@
 #include "candela/scene/error.hpp"
 
 namespace candela::io::detail {
-namespace {
 
 namespace fs = std::filesystem;
-
-Error folder_error(const std::error_code& failure, const fs::path& folder) {
-    const bool disk = failure == std::errc::no_space_on_device || failure == std::errc::io_error;
-    return {disk ? Fault::machine : Fault::input, "cannot be made: " + failure.message(), folder.string()};
-}
-
-}  // namespace
 
 StagingFolder::StagingFolder(const fs::path& folder) : folder_(folder.empty() ? "." : folder) {
     std::error_code failure;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <new>
 
+#include "candela/scene/half_range.hpp"
+
 namespace candela::measure::detail {
 namespace {
 
@@ -33,14 +35,13 @@ std::string pack(std::vector<std::uint8_t> bytes, std::size_t width) {
 }  // namespace
 
 float half_scale(const std::vector<const Picture*>& pictures, float exposure) {
-    constexpr float largest_half = 65504.0f;
     float brightest = 0.0f;
     for (const Picture* picture : pictures)
         for (const glm::vec3& p : picture->pixels)
             for (int c = 0; c < 3; ++c)
                 if (std::isfinite(p[c])) brightest = std::max(brightest, std::abs(p[c]));
     int power = static_cast<int>(std::floor(std::log2(exposure)));
-    while (power > -120 && std::ldexp(brightest, power) > largest_half) --power;
+    while (power > -120 && std::ldexp(brightest, power) > scene::kLargestHalf) --power;
     return std::ldexp(1.0f, power);
 }
 
