@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "source_folder.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "gltf_samples.hpp"
 #include "limited_run.hpp"
+#include "source_folder.hpp"
 
 using namespace candela::test;
 

@@ -11,6 +11,7 @@
 #include "demo_scenes.hpp"
 #include "gltf_lights.hpp"
 #include "gltf_samples.hpp"
+#include "source_folder.hpp"
 
 using namespace candela;
 using namespace candela::test;

@@ -13,6 +13,7 @@
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_write.hpp"
 #include "image_files.hpp"
+#include "source_folder.hpp"
 
 using namespace candela;
 using namespace candela::tests;

@@ -9,6 +9,7 @@
 #include "process.hpp"
 #include "shading/tone_curves.glsl"
 #include "shading/transfer.glsl"
+#include "source_folder.hpp"
 #include "test_pictures.hpp"
 
 using namespace candela::measure;

@@ -6,6 +6,7 @@
 #include "candela/io/image_read.hpp"
 #include "cli/process.hpp"
 #include "photometric_files.hpp"
+#include "source_folder.hpp"
 
 using namespace candela::test;
 

@@ -9,6 +9,7 @@
 #include "candela/scene/error.hpp"
 #include "common/files.hpp"
 #include "demo_scenes.hpp"
+#include "source_folder.hpp"
 
 using namespace candela;
 using namespace candela::test;

@@ -7,6 +7,7 @@
 
 #include "candela/measure/experiment.hpp"
 #include "candela/scene/error.hpp"
+#include "source_folder.hpp"
 
 namespace candela::measure {
 namespace {
