@@ -228,6 +228,17 @@ Arrival sample_item(uvec4 item, vec2 u, vec3 position) {
     return sample_light(light_at(item.y), u, position);
 }
 
+// Whether a ray from the receiver enters an item.
+bool enters_item(uvec4 item, vec3 position, vec3 l) {
+    if (item.x == kItemTriangle) {
+        EmissiveTriangle t = triangle_at(item.y);
+        vec2 at;
+        return meet_triangle(position, l, t.a, t.b, t.c, at) > 0.0;
+    }
+    Light light = light_at(item.y);
+    return enter_light(light, l, light.position_range.xyz - position) > 0.0;
+}
+
 // What a ray from the receiver meets of an item.
 Arrival item_from(uvec4 item, vec3 position, vec3 l) {
     Arrival r = kNothing;

@@ -109,20 +109,22 @@ Receiver receiver(SurfacePoint p) {
     return r;
 }
 
-// One draw, by whichever way.
+// One sample of a direction, by whichever strategy.
 struct Draw {
     vec3 l;
-    vec3 direct;    // cd/m^2, or lx of lights without extent, times all but the BSDF, the cosine and the weight
-    vec3 indirect;  // of the environment
+    vec3 direct;     // cd/m^2, or lx of lights without extent, times all but the BSDF, the cosine and the weight
+    vec3 indirect;   // of the environment
+    vec3 unblocked;  // as direct, its visibility found already or not asked for
     float distance_m;
-    float pdf;    // 1/sr with which it was drawn; 0: nothing
-    bool only;    // no other way draws it
-    bool blocked;  // by what is in the way
+    float pdf;      // 1/sr with which it was drawn; 0: nothing
+    bool only;      // no other strategy samples it
+    bool blocked;   // direct and indirect are hidden by what is in the way
+    bool weighted;  // what it carries is weighted against the other strategy already
 };
-const Draw kNoDraw = Draw(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), 0.0, 0.0, false, false);
+const Draw kNoDraw = Draw(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, false, false, false);
 
 Draw from_arrival(Arrival a, float probability, bool shadows) {
-    return Draw(a.l, a.light, vec3(0.0), a.distance_m, a.pdf * probability, a.delta, shadows);
+    return Draw(a.l, a.light, vec3(0.0), vec3(0.0), a.distance_m, a.pdf * probability, a.delta, shadows, false);
 }
 
 Draw environment_draw(Receiver r, uint index, uint seed, ivec2 size) {
@@ -154,6 +156,28 @@ Draw asked_draw(Receiver r, uint k, uint index, uint seed) {
     return from_arrival(only_arrival(light, r.p.position), 1.0, what.y != 0u);
 }
 
+// The next emitter from `node` on that the ray from the receiver enters, and the node after it; false: there is none.
+// The loops nest from cheap to dear (Aila & Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"): lanes of
+// a SIMD device meet again before the dear part, which a software device otherwise runs for every box that is passed.
+bool next_emitter_along(vec3 position, vec3 l, vec3 inverse, inout uint node, out uint item) {
+    uint count = emitter_node_count();
+    item = 0u;
+    while (true) {
+        bool leaf = false;
+        while (node < count && !leaf) {
+            uvec4 low = emitter_low(node);
+            uvec4 high = emitter_high(node);
+            bool met = meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), position, inverse, kNoEnd);
+            leaf = met && (high.w & kEmitterLeaf) != 0u;
+            item = high.w & kEmitterFirst;
+            node = met ? node + 1u : low.w;
+        }
+        if (!leaf) return false;
+        if (enters_item(emitter_item(item), position, l)) return true;
+    }
+    return false;
+}
+
 // What arrives along a direction that the BSDF drew with density pdf, weighted: every emitter that the ray enters, as none
 // is in the way of another.
 vec3 emitters_along(Receiver r, vec3 l, float pdf) {
@@ -161,17 +185,8 @@ vec3 emitters_along(Receiver r, vec3 l, float pdf) {
     vec3 position = r.p.position;
     vec3 inverse = ray_inverse(l);
     uint node = 0u;
-    uint count = emitter_node_count();
-    while (node < count) {
-        uvec4 low = emitter_low(node);
-        uvec4 high = emitter_high(node);
-        if (!meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), position, inverse, kNoEnd)) {
-            node = low.w;
-            continue;
-        }
-        ++node;
-        if ((high.w & kEmitterLeaf) == 0u) continue;
-        uint item = high.w & kEmitterFirst;
+    uint item;
+    while (next_emitter_along(position, l, inverse, node, item)) {
         uvec4 what = emitter_item(item);
         Arrival a = item_from(what, position, l);
         if (!(a.pdf > 0.0) || max_component(a.light) <= 0.0) continue;
@@ -203,85 +218,90 @@ void suns_along(vec3 l, float pdf, out vec3 shadowed, out vec3 unshadowed) {
     }
 }
 
-// Adds a draw that a light made, or (by_bsdf) that the BSDF made: then it sees the sky, suns and emitters of its own.
-void add_draw(Receiver r, Draw d, bool by_bsdf, float scale, ivec2 size, inout Lit lit) {
+// A direction that the BSDF samples, with all that it sees of the sky, suns and emitters.
+Draw bsdf_draw(Receiver r, uint index, uint seed, ivec2 size) {
+    GBuffer g = r.p.g;
+    Draw d = kNoDraw;
+    d.l = sample_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v,
+                      sobol_owen_pair(index, kPairChoice, seed).x, sobol_owen_pair(index, kPairBsdf, seed));
+    if (dot(g.normal, d.l) <= 0.0) return kNoDraw;
+    d.pdf = pdf_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v, d.l);
+    if (!(d.pdf > 0.0)) return kNoDraw;
+    d.distance_m = kNoEnd;
+    d.blocked = true;
+    d.weighted = true;
+    if (kHasEmitters) d.unblocked = emitters_along(r, d.l, d.pdf);
+    if (kHasAsked) {
+        vec3 suns;
+        suns_along(d.l, d.pdf, d.direct, suns);
+        d.unblocked += suns;
+    }
+    if (kHasEnvironment) {
+        vec3 local = to_environment(d.l);
+        float other = environment_pdf(environment_texel(local, size), size);
+        d.indirect = environment_luminance_nit(local, size) *
+                     (kStrategy == kStrategyBoth ? power_heuristic(d.pdf, other) : 1.0);
+    }
+    return d;
+}
+
+void add_draw(Receiver r, Draw d, float scale, inout Lit lit) {
     float NoL = dot(r.p.g.normal, d.l);
-    if (NoL <= 0.0) return;
-    float pdf_lobes = 0.0;
-    if (by_bsdf || (kStrategy == kStrategyBoth && !d.only)) {
+    if (NoL <= 0.0 || !(d.pdf > 0.0)) return;
+    float weight = NoL * scale / d.pdf;
+    if (kStrategy == kStrategyBoth && !d.only && !d.weighted) {
         GBuffer g = r.p.g;
-        pdf_lobes = pdf_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal, r.p.v, d.l);
+        weight *= power_heuristic(d.pdf, pdf_bsdf(r.lobes, g.surface, g.normal, r.tangent, r.bitangent, g.coat_normal,
+                                                  r.p.v, d.l));
     }
-    vec3 unblocked = vec3(0.0);
-    if (by_bsdf) {
-        d.pdf = pdf_lobes;
-        if (!(d.pdf > 0.0)) return;
-        if (kHasEmitters) unblocked = emitters_along(r, d.l, d.pdf);
-        if (kHasAsked) {
-            vec3 suns;
-            suns_along(d.l, d.pdf, d.direct, suns);
-            unblocked += suns;
-        }
-        if (kHasEnvironment) {
-            vec3 local = to_environment(d.l);
-            float other = environment_pdf(environment_texel(local, size), size);
-            d.indirect = environment_luminance_nit(local, size) *
-                         (kStrategy == kStrategyBoth ? power_heuristic(d.pdf, other) : 1.0);
-        }
-    }
-    if (!(d.pdf > 0.0)) return;
-    float weight = scale / d.pdf;
-    if (!by_bsdf && kStrategy == kStrategyBoth && !d.only) weight *= power_heuristic(d.pdf, pdf_lobes);
     if (kCastsRays && d.blocked && max_component(d.direct + d.indirect) > 0.0) {
         float through = visible(r.rays, d.l, d.distance_m);
         d.direct *= through;
         d.indirect *= through;
     }
-    d.direct += unblocked;
+    d.direct += d.unblocked;
     if (max_component(d.direct + d.indirect) <= 0.0) return;
     vec3 diffuse;
     vec3 specular;
     evaluate(r.p, d.l, NoL, diffuse, specular);
-    weight *= NoL;
     lit.direct_diffuse += diffuse * (d.direct * weight);
     lit.direct_specular += specular * (d.direct * weight);
     lit.indirect_diffuse += diffuse * (d.indirect * weight);
     lit.indirect_specular += specular * (d.indirect * weight);
 }
 
-// One sample of the integrals at a surface point; its mean over frame.random.x converges to them. Every draw ends in the
-// same code, once in the shader: environment, emitters and BSDF in turn, and before them the lights that are asked.
+const uint kStrategies = 3u;
+
+// One sample of the integrals at a surface point; its mean over frame.random.x converges to them. Environment, emitters
+// and BSDF are sampled in straight code, once a sample: a software device runs all code of a loop's body at every turn.
+// What they found, and the lights that are sampled individually, then end in the same code.
 Lit integrate(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
     Receiver r = receiver(surface_point(g, position, v));
     Lit lit = kNoLight;
     uint seed = pixel_seed(pixel, frame.random.y);
     ivec2 size = textureSize(background_map, 0);
     uint draws = frame.random.z;
-    uint asked = kHasAsked ? asked_count() * draws : 0u;
+    uint asked = kHasAsked ? asked_count() : 0u;
     float scale = 1.0 / float(draws);
-    for (uint step = 0u; step < asked + 3u * draws; ++step) {
-        uint way = step < asked ? 3u : (step - asked) % 3u;
-        uint index = frame.random.x * draws + (step < asked ? step % draws : (step - asked) / 3u);
-        Draw d = kNoDraw;
-        if (kHasAsked && way == 3u) {
-            d = asked_draw(r, step / draws, index, seed);
-            // Of what is exact once is enough.
-            if (d.only && step % draws != 0u) continue;
-            if (d.only) d.pdf *= scale;
+    for (uint k = 0u; k < draws; ++k) {
+        uint index = frame.random.x * draws + k;
+        Draw sampled[kStrategies] = Draw[](kNoDraw, kNoDraw, kNoDraw);
+        if (kHasEnvironment && kStrategy != kStrategyBsdf) sampled[0] = environment_draw(r, index, seed, size);
+        if (kHasEmitters && kStrategy != kStrategyBsdf) sampled[1] = emitter_draw(r, index, seed);
+        if (kStrategy != kStrategyLight) sampled[2] = bsdf_draw(r, index, seed, size);
+        for (uint i = 0u; i < kStrategies + asked; ++i) {
+            Draw d;
+            if (!kHasAsked || i < kStrategies) {
+                d = sampled[min(i, kStrategies - 1u)];
+            } else {
+                d = asked_draw(r, i - kStrategies, index, seed);
+                // Of what is exact once is enough.
+                if (d.only && k != 0u) continue;
+                if (d.only) d.pdf *= scale;
+                if (!d.only && kStrategy == kStrategyBsdf) continue;
+            }
+            add_draw(r, d, scale, lit);
         }
-        if (kHasEnvironment && kStrategy != kStrategyBsdf && way == 0u) d = environment_draw(r, index, seed, size);
-        if (kHasEmitters && way == 1u) d = emitter_draw(r, index, seed);
-        if (way != 2u) {
-            if (!d.only && kStrategy == kStrategyBsdf) continue;
-        } else {
-            if (kStrategy == kStrategyLight) continue;
-            float choice = sobol_owen_pair(index, kPairChoice, seed).x;
-            d.l = sample_bsdf(r.lobes, g.surface, r.p.g.normal, r.tangent, r.bitangent, r.p.g.coat_normal, r.p.v, choice,
-                              sobol_owen_pair(index, kPairBsdf, seed));
-            d.distance_m = kNoEnd;
-            d.blocked = true;
-        }
-        add_draw(r, d, way == 2u, scale, size, lit);
     }
     return lit;
 }

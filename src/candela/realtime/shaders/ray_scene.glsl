@@ -42,23 +42,32 @@ float meet_triangle(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, out vec
     return dot(ac, q) * scale;
 }
 
+// The next leaf from `node` on whose box the ray is in before t_max, as first triangle << 3 | count, and the node after
+// it; false: there is none. Boxes are passed in a loop of their own, so that the lanes of a SIMD device come to their
+// triangles together (Aila & Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs").
+bool next_leaf(vec3 origin, vec3 inverse, float t_max, inout uint node, out uint leaf) {
+    uint nodes = ray_node_first();
+    uint count = ray_node_count();
+    leaf = 0u;
+    while (node < count && leaf == 0u) {
+        uvec4 low = table_quads[nodes + 2u * node];
+        uvec4 high = table_quads[nodes + 2u * node + 1u];
+        bool met = meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), origin, inverse, t_max);
+        if (met && (high.w & 7u) != 0u) leaf = high.w;
+        node = met ? node + 1u : low.w;
+    }
+    return leaf != 0u;
+}
+
 // Part of the light that gets through to t_max along the unit direction: 0 behind anything opaque.
 float transmitted(vec3 origin, vec3 direction, float t_max) {
     vec3 inverse = ray_inverse(direction);
-    uint nodes = ray_node_first();
-    uint count = ray_node_count();
     float through = 1.0;
     uint node = 0u;
-    while (node < count) {
-        uvec4 low = table_quads[nodes + 2u * node];
-        uvec4 high = table_quads[nodes + 2u * node + 1u];
-        if (!meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), origin, inverse, t_max)) {
-            node = low.w;
-            continue;
-        }
-        ++node;
-        uint end = (high.w >> 3u) + (high.w & 7u);
-        for (uint i = high.w >> 3u; i < end; ++i) {
+    uint leaf;
+    while (next_leaf(origin, inverse, t_max, node, leaf)) {
+        uint end = (leaf >> 3u) + (leaf & 7u);
+        for (uint i = leaf >> 3u; i < end; ++i) {
             uint first = ray_triangle_first() + 4u * i;
             uvec4 a = table_quads[first];
             vec2 at;
@@ -88,22 +97,14 @@ RayOrigins ray_origins(vec3 position, vec3 v, vec3 n) {
     float reach = 1.0e-3 * distance(position, frame.camera_position.xyz) + 1.0e-6;
     vec3 start = position + reach * v;
     vec3 inverse = ray_inverse(-v);
-    uint nodes = ray_node_first();
-    uint count = ray_node_count();
     float nearest = reach;
     uint found = kNoRecord;
     vec2 found_at = vec2(0.0);
     uint node = 0u;
-    while (node < count) {
-        uvec4 low = table_quads[nodes + 2u * node];
-        uvec4 high = table_quads[nodes + 2u * node + 1u];
-        if (!meets_box(uintBitsToFloat(low.xyz), uintBitsToFloat(high.xyz), start, inverse, 2.0 * reach)) {
-            node = low.w;
-            continue;
-        }
-        ++node;
-        uint end = (high.w >> 3u) + (high.w & 7u);
-        for (uint i = high.w >> 3u; i < end; ++i) {
+    uint leaf;
+    while (next_leaf(start, inverse, 2.0 * reach, node, leaf)) {
+        uint end = (leaf >> 3u) + (leaf & 7u);
+        for (uint i = leaf >> 3u; i < end; ++i) {
             uint first = ray_triangle_first() + 4u * i;
             vec2 at;
             float t = meet_triangle(start, -v, quad_vec3(first), quad_vec3(first + 1u), quad_vec3(first + 2u), at);
