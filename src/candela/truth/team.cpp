@@ -11,6 +11,8 @@
 namespace candela::truth {
 namespace {
 
+constexpr const char* kModule = "libcandela-mpi.so";
+
 class Alone final : public Team {
   public:
     [[nodiscard]] int rank() const override { return 0; }
@@ -33,26 +35,28 @@ std::filesystem::path own_folder() {
     return std::filesystem::path(info.dli_fname).parent_path();
 }
 
-void* open_module() {
-    const std::filesystem::path here = own_folder();
-    for (const std::filesystem::path& file :
-         {here / "libcandela-mpi.so", here / "truth" / "mpi" / "libcandela-mpi.so"}) {
-        if (void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
-    }
-    const char* why = dlerror();
-    throw machine_error("started by mpirun, but the MPI module cannot be loaded" +
-                            (why ? ": " + std::string(why) : std::string()),
-                        (here / "libcandela-mpi.so").string(),
-                        "install Open MPI, or start it without mpirun");
-}
-
 }  // namespace
+
+void* open_mpi_module(const std::filesystem::path& folder) {
+    for (const std::filesystem::path& file : {folder / kModule, folder / "truth" / "mpi" / kModule}) {
+        std::error_code none;
+        if (!std::filesystem::exists(file, none)) continue;
+        if (void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+        const char* why = dlerror();
+        throw machine_error("started by mpirun, but Open MPI's libraries cannot be loaded: " +
+                                std::string(why != nullptr ? why : "no reason given"),
+                            file.string(), "install Open MPI (Debian: libopenmpi3), or start without mpirun");
+    }
+    throw machine_error("started by mpirun, but this build of Candela has no MPI module",
+                        (folder / kModule).string(),
+                        "install libopenmpi-dev, configure and build again, or start without mpirun");
+}
 
 std::unique_ptr<Team> join_team() {
     if (!started_by_mpi()) return std::make_unique<Alone>();
     // Never closed: MPI's own libraries do not survive it.
-    void* symbol = dlsym(open_module(), "candela_join_mpi_team");
-    if (!symbol) throw machine_error("the MPI module is of another version", "libcandela-mpi.so");
+    void* symbol = dlsym(open_mpi_module(own_folder()), "candela_join_mpi_team");
+    if (!symbol) throw machine_error("the MPI module is of another version", kModule, "build both again");
     return std::unique_ptr<Team>(reinterpret_cast<Team* (*)()>(symbol)());
 }
 

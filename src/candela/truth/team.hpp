@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 
@@ -23,6 +24,11 @@ class Team {
     /// Does nothing in a team of one.
     virtual void abort(int exit_code) = 0;
 };
+
+/// The handle of the MPI module of `folder`, or of truth/mpi below it as a build has it. Throws Error
+/// (Fault::machine), in different words when there is no module and when it cannot be loaded, as without Open
+/// MPI.
+[[nodiscard]] void* open_mpi_module(const std::filesystem::path& folder);
 
 /// The team that this process was started in: of `mpirun`, when it was and the MPI module is installed beside
 /// the library; else a team of one. Throws Error (Fault::machine) when it was started by mpirun and the
