@@ -8,9 +8,10 @@
 
 namespace candela::realtime {
 
-/// Emissive surfaces as lights, when there are so few pieces, are what they are: rectangles where two
-/// triangles make one, else triangles. More of them are put together, all of their power kept.
-inline constexpr std::size_t kMostEmissivePieces = 32;
+/// Emissive surfaces are lights of their own, as rectangles where two triangles make one, else as triangles,
+/// up to this many. More are grouped, all of their power kept.
+inline constexpr std::size_t kMaxEmissivePieces = 32;
+inline constexpr std::size_t kMaxEmissiveGroups = 16;
 
 struct EmissiveLight {
     LightBlock block;
@@ -18,16 +19,17 @@ struct EmissiveLight {
         shape;  ///< the same as a light of the scene, for its shadow; triangles have none
 };
 
-/// The lights of what glows in a scene, unlit materials apart. Textured emission is its mean over a triangle.
+/// The lights of a scene's emissive surfaces, unlit materials apart, without those that light nothing to
+/// speak of (emissive_cut.hpp). Textured emission is its mean over a triangle.
 ///
-/// A group of pieces is a disk and a sphere of the group's mean luminance: the disk has the pieces' vector
-/// area (the sum of area times normal), which is what a flat or bowl-shaped group shows to its front, and the
-/// sphere the area that is left, which is all of it for a closed surface. Both together give the power of the
-/// pieces, and a sphere of triangles gives the light of the sphere. Groups are the meshes of the scene, cut
-/// in halves where they are long; there are at most kMostEmissivePieces of them.
+/// A flat group is its bounding rectangle with the mean luminance over it, or a disk. Any other group is a
+/// disk and a sphere of the group's mean luminance: the disk has the pieces' vector area (the sum of area
+/// times normal), which is what a bowl-shaped group shows to its front, and the sphere the area that is left,
+/// which is all of it for a closed surface. Both together give the power of the pieces, and a sphere of
+/// triangles gives the light of the sphere.
 [[nodiscard]] std::vector<EmissiveLight> emissive_lights(const scene::Scene& scene);
 
-/// What glows: a primitive of an instance, unlit materials apart. It casts light in every mode.
+/// An emissive primitive of an instance, unlit materials apart. It casts light in every mode.
 struct EmissiveSurface {
     std::uint32_t instance = 0;
     std::uint32_t material = 0;
