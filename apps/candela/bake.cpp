@@ -18,6 +18,7 @@
 #include "command.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 #include "shading/lights/ltc.glsl"
 #include "sky_option.hpp"
 
@@ -89,7 +90,10 @@ int bake_ltc(const BakeOptions& options) {
     // Opened before the work, so that a folder that is not there is said at once.
     io::detail::SafeFile table_file(file);
     io::detail::SafeFile metadata_file(std::filesystem::path(file).replace_extension(".json"));
-    const bake::LtcTable table = bake::fit_ltc_table();
+    const bake::LtcTable table = [] {
+        ProgressLine line("fitting transformed cosines");
+        return bake::fit_ltc_table(line.function());
+    }();
     nlohmann::json metadata = ltc_metadata(table);
     const std::string bytes = bake::encode_ltc_table(table);
     const std::string text = metadata.dump() + "\n";
@@ -105,6 +109,7 @@ int bake_ltc(const BakeOptions& options) {
         std::printf("%s: %d x %d, error %.4f on average, %.4f at most\n", file.c_str(), shading::kLtcSize,
                     shading::kLtcSize, metadata["mean_error"].get<double>(),
                     metadata["largest_error"].get<double>());
+        print_written(file);
     }
     return 0;
 }

@@ -10,6 +10,7 @@
 #include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -48,7 +49,10 @@ int bake_dfg_table(const std::string& output, const std::string& visibility, std
     if (file.extension() != ".exr")
         throw Error(Fault::usage, "this table is written as EXR", file.string(), "-o dfg_table.exr");
     io::check_output_file(file);
-    const bake::DfgTable table = bake::bake_dfg(visibility_of(visibility), size, kSamples);
+    const bake::DfgTable table = [&] {
+        const ProgressLine line("computing directional albedos");
+        return bake::bake_dfg(visibility_of(visibility), size, kSamples);
+    }();
     std::vector<std::vector<float>> planes(4, std::vector<float>(table.texels.size()));
     for (std::size_t i = 0; i < table.texels.size(); ++i) {
         for (int c = 0; c < 4; ++c) planes[static_cast<std::size_t>(c)][i] = table.texels[i][c];
@@ -67,6 +71,7 @@ int bake_dfg_table(const std::string& output, const std::string& visibility, std
         std::printf("%s\n", about.dump(2).c_str());
     else
         std::printf("%s: %u x %u, %s\n", file.c_str(), size, size, visibility.c_str());
+    if (!json) print_written(file);
     return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -100,11 +101,15 @@ int bake_environment(const BakeEnvironmentOptions& options) {
     if (!format)
         throw Error(Fault::usage, "there is no format '" + options.format + "'", "--format",
                     "ktx2, ktx2-rgb9e5, dds, exr or exr-faces");
-    const bake::FilterOptions filter = filter_options(options, preset);
+    bake::FilterOptions filter = filter_options(options, preset);
     Diagnostics diagnostics;
     const scene::Environment environment = read(options, diagnostics);
     const auto start = std::chrono::steady_clock::now();
-    const scene::FilteredEnvironment filtered = bake::filter_environment(environment, filter);
+    const scene::FilteredEnvironment filtered = [&] {
+        ProgressLine line("filtering the environment");
+        filter.progress = line.function();
+        return bake::filter_environment(environment, filter);
+    }();
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const auto files = io::write_filtered_environment(options.folder, filtered, *format, preset);
@@ -131,6 +136,7 @@ int bake_environment(const BakeEnvironmentOptions& options) {
     if (filtered.irradiance_sh_window > 0.0f)
         std::printf("  harmonics windowed, lambda %g: without it they were negative\n",
                     double(filtered.irradiance_sh_window));
+    print_written(options.folder);
     return 0;
 }
 

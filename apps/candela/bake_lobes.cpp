@@ -1,5 +1,6 @@
 #include "bake_lobes.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "candela/bake/lobe_fit.hpp"
 #include "candela/io/image_write_safe.hpp"
 #include "candela/version.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -97,10 +99,17 @@ int bake_lobes(const std::string& output, bool json) {
         {"fits", nlohmann::json::array()},
         {"layers", nlohmann::json::array()}};
     for (int reads = 1; reads <= 3; ++reads) {
-        all["fits"].push_back(fit_of(reads));
+        {
+            const ProgressLine line("fitting reads along the lobe, " + std::to_string(reads) + " of 3");
+            all["fits"].push_back(fit_of(reads));
+        }
         if (!json) print(all["fits"].back());
     }
-    for (const bake::LayerFit& fit : {bake::fit_anisotropic_reads(), bake::fit_sheen_read()}) {
+    const auto layers = [] {
+        const ProgressLine line("fitting reads of layers");
+        return std::array{bake::fit_anisotropic_reads(), bake::fit_sheen_read()};
+    }();
+    for (const bake::LayerFit& fit : layers) {
         all["layers"].push_back(layer_of(fit));
         if (!json) print_layer(all["layers"].back());
     }
@@ -109,6 +118,7 @@ int bake_lobes(const std::string& output, bool json) {
     if (file) {
         (void)file->write(text.data(), text.size());
         file->commit();
+        if (!json) print_written(output);
     }
     return 0;
 }

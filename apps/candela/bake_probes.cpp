@@ -9,6 +9,7 @@
 #include "candela/version.hpp"
 #include "job.hpp"
 #include "local_light.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -47,8 +48,7 @@ void print_report(const char* what, const LocalLightReport& report, std::size_t 
 void print_pictures(const std::vector<std::filesystem::path>& pictures, const std::string& folder) {
     if (pictures.empty())
         std::printf("nothing written into %s: pictures are of reflection probes\n", folder.c_str());
-    for (const std::filesystem::path& picture : pictures)
-        std::fprintf(stderr, "candela: wrote %s\n", picture.c_str());
+    print_written(pictures);
 }
 
 /// Fills the cache that pictures of this scene look into.
@@ -64,7 +64,6 @@ int bake_probes(BakeProbesOptions options) {
         throw input_error("the stage has neither irradiance_volumes nor reflection_probes",
                           options.job.scene_file, "docs/stage.md, \"Probes\"");
     }
-    options.local.quiet = options.json;
     const LocalLightReport irradiance = fill_irradiance_volumes(job, options.local);
     LocalLightReport reflection;
     std::vector<std::filesystem::path> pictures;

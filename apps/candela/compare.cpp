@@ -15,6 +15,7 @@
 #include "compare_pictures.hpp"
 #include "compare_table.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 #include "shading/exposure.glsl"
 #include "shading/tone_curves.glsl"
 
@@ -315,6 +316,8 @@ int compare(const CompareOptions& options) {
     std::vector<measure::Comparison> comparisons(lineup.pictures.size());
     for (std::size_t i = 0; i < lineup.pictures.size(); ++i) {
         if (i == lineup.reference) continue;
+        const ProgressLine line("comparing " + lineup.pictures[i].name + " with " +
+                                lineup.pictures[lineup.reference].name);
         comparisons[i] = measure::compare(lineup.pictures[i].picture, reference, exposed.options);
         if (comparisons[i].metrics.nonfinite > 0) {
             lineup.diagnostics.warn(lineup.pictures[i].name + ": " +
@@ -324,7 +327,10 @@ int compare(const CompareOptions& options) {
     }
     bool passed = true;
     const json checks = check_thresholds(thresholds, lineup, comparisons, passed);
-    const std::vector<std::string> written = write_outputs(options, lineup, exposed, comparisons);
+    const std::vector<std::string> written = [&] {
+        const ProgressLine line("writing");
+        return write_outputs(options, lineup, exposed, comparisons);
+    }();
     print_warnings(lineup.diagnostics);
     if (!options.scene.job.json) {
         print_table(lineup, comparisons, exposed);

@@ -8,6 +8,7 @@
 #include "candela/scene/error.hpp"
 #include "command.hpp"
 #include "job.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -42,13 +43,16 @@ int convert(const ConvertOptions& options) {
     Diagnostics diagnostics;
     const StagedScene staged = load_staged_scene(options, diagnostics);
     warn_of_the_stage(staged.stage, diagnostics);
-    io::write_gltf(options.out_file, staged.scene, diagnostics);
+    {
+        const ProgressLine line("writing");
+        io::write_gltf(options.out_file, staged.scene, diagnostics);
+    }
     print_warnings(diagnostics);
     if (options.json) {
         const nlohmann::json out{{"file", options.out_file}, {"warnings", warnings_json(diagnostics)}};
         std::printf("%s\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     } else {
-        std::fprintf(stderr, "candela: wrote %s\n", options.out_file.c_str());
+        print_written(options.out_file);
     }
     return 0;
 }

@@ -17,6 +17,7 @@
 #include "environment_option.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 #include "shading/environment.glsl"
 
 namespace candela::app {
@@ -214,6 +215,7 @@ int calibrate(const EnvOptions& options) {
                 measure::number(factor, 7).c_str(), nit(double{options.value_nit}).c_str(),
                 measure::readable(scene::upward_illuminance_lx(e)).c_str());
     print_warnings(diagnostics);
+    if (!options.output.empty()) print_written(options.output);
     return 0;
 }
 
@@ -271,6 +273,7 @@ int split(const EnvOptions& options) {
     for (const json& s : list) print_line("source", source_text(s));
     print_line("energy", measure::number(100.0 * after_lx / before_lx) + " % of what it was");
     print_warnings(diagnostics);
+    print_written(options.output);
     return 0;
 }
 

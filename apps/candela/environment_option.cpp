@@ -4,6 +4,7 @@
 
 #include "candela/bake/environment.hpp"
 #include "candela/bake/sky.hpp"
+#include "progress_line.hpp"
 #include "shading/environment.glsl"
 #include "sky_option.hpp"
 
@@ -42,6 +43,7 @@ io::EnvironmentOptions environment_options(const EnvironmentFileOptions& o) {
 
 scene::Environment environment_picture(const std::string& name, const EnvironmentFileOptions& options,
                                        Diagnostics& diagnostics) {
+    const ProgressLine line("reading the environment");
     if (name == "studio") return bake::studio_environment();
     const std::optional<scene::SkySettings> settings = sky_of_option(name);
     if (!settings) return io::read_environment(name, diagnostics, environment_options(options));

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "local_light.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -33,6 +34,8 @@ FrameModeStill render_on_device(const gpu::Device& device, Job& job, const Frame
     FrameModeStill out;
     const auto setup = Clock::now();
     if (!options.integrate) fill_local_light(device, job, o.shadows);
+    ProgressLine line(options.label);
+    o.progress = line.function();
     realtime::Renderer renderer(device, job.scene, o);
     out.setup_s = seconds_since(setup);
     const auto draw = Clock::now();

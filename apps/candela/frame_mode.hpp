@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "candela/realtime/renderer.hpp"
 #include "job.hpp"
 
@@ -12,6 +14,7 @@ struct FrameModeOptions {
     bool aovs = false;
     Shadows shadows = Shadows::map;  ///< map in real time, ray in integrate, or none
     std::uint32_t shadow_atlas_texels = 4096;
+    std::string label = "rendering";  ///< of what is shown while it lasts
 };
 
 /// Samples a pixel of a mode on the device when nothing is said: realtime, or integrate.

@@ -8,6 +8,7 @@
 #include "candela/scene/error.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 #include "shading/environment.glsl"
 #include "sky_option.hpp"
 
@@ -66,6 +67,7 @@ void warn_of_two_suns(const scene::Light& sun, const std::string& whose, Job& jo
 }  // namespace
 
 void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+    const ProgressLine line("reading the environment");
     float lux = 0.0f;  // 0: leave the scale as it is
     std::optional<scene::Light> sun;
     const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);

@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -213,6 +214,7 @@ int light(const LightOptions& options) {
     }
     print_profile(options.file, profile);
     for (const Diagnostics::Warning& w : diagnostics.warnings()) print_line("warning", w.text);
+    if (!options.plot.empty()) print_written(options.plot);
     return 0;
 }
 

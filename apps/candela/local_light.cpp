@@ -1,7 +1,5 @@
 #include "local_light.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,6 +15,7 @@
 #include "candela/truth/volume_survey.hpp"
 #include "fingerprint.hpp"
 #include "path_mode.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -24,15 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-
-/// Long work shows itself on a terminal only.
-std::function<void(double)> progress_of(const char* what, bool quiet) {
-    if (quiet || isatty(STDERR_FILENO) == 0) return {};
-    return [what](double fraction) {
-        std::fprintf(stderr, "\rcandela: %s: %3.0f %%%s", what, 100.0 * fraction,
-                     fraction >= 1.0 ? "\n" : "");
-    };
-}
 
 std::filesystem::path cache_file(std::uint64_t key, const char* ending) {
     const std::filesystem::path folder = gpu::user_cache_folder();
@@ -125,7 +115,8 @@ LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& opti
         truth::IrradianceBakeOptions bake;
         bake.path.techniques = path_techniques(job.profile);
         bake.samples = options.samples;
-        bake.progress = progress_of("irradiance volumes", options.quiet);
+        ProgressLine line("filling irradiance volumes");
+        bake.progress = line.function();
         volumes = truth::bake_irradiance(job.scene, bake);
         const std::string bytes = io::encode_irradiance(volumes, key);
         // As the next run finds it: both show the same picture.
@@ -156,7 +147,8 @@ LocalLightReport fill_reflection_probes(const gpu::Device& device, Job& job,
         capture.profile = job.profile;
         capture.shadows = shadows;
         capture.passes = options.passes;
-        capture.progress = progress_of("reflection probes", options.quiet);
+        ProgressLine line("taking reflection probes");
+        capture.progress = line.function();
         probes = realtime::capture_reflection_probes(device, job.scene, capture);
         const std::string bytes = io::encode_captures(probes, key);
         (void)io::decode_captures(bytes, key, probes);

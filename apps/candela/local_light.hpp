@@ -13,7 +13,6 @@ struct LocalLightOptions {
     std::uint32_t samples = 2048;  ///< paths of each probe of a volume
     std::uint32_t passes = 3;      ///< of reflection probes
     bool refresh = false;          ///< do not look into the cache
-    bool quiet = false;            ///< no progress
 };
 
 /// Where and whence.

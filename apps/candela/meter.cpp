@@ -14,6 +14,7 @@
 #include "local_light.hpp"
 #include "option_rules.hpp"
 #include "path_mode.hpp"
+#include "progress_line.hpp"
 #include "shading/exposure.glsl"
 
 namespace candela::app {
@@ -111,6 +112,9 @@ Reading read_by_path(const Job& job, const MeterOptions& options) {
     o.samples = options.samples.value_or(64);
     o.seed = options.job.seed;
     const std::unique_ptr<truth::Team> team = truth::join_team();
+    ProgressLine line("metering");
+    if (line.shown())
+        o.progress = [&](const truth::PathProgress& p) { line.report(p.fraction, p.seconds_left, ""); };
     const truth::Film film = truth::render_path(job.scene, job.camera, o, *team).film;
     Reading r;
     double squared = 0.0;
@@ -134,7 +138,7 @@ Reading read_on_device(Job& job, const MeterOptions& options, Way way) {
     const Shadows shadows = shadows_of(options.job.shadows, options.mode);
     const FrameModeStill frame = render_on_device(
         device, job,
-        {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels});
+        {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels, "metering"});
     warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
     const std::vector<glm::vec4>& picture = frame.still.planes.light_nit;
     if (way != Way::pixel) return mean_of(picture);

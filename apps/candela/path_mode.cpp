@@ -1,7 +1,5 @@
 #include "path_mode.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "candela/truth/render_path.hpp"
 #include "fingerprint.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 #include "shading/exposure.glsl"
 
 namespace candela::app {
@@ -49,9 +48,20 @@ class InterruptHandler {
     void (*previous_)(int);
 };
 
-void print_progress(const truth::PathProgress& p) {
-    std::fprintf(stderr, "\rcandela: %5.1f %%, %u samples, error %.4f, %.0f s left   ", 100.0 * p.fraction,
-                 p.samples, p.error, p.seconds_left.value_or(0.0));
+/// "96 samples, error 0.031 of 0.02": of the tile with fewest, and of the picture.
+std::string detail_of(const truth::PathProgress& p, const std::optional<double>& target_error) {
+    char text[100];
+    std::snprintf(text, sizeof(text), "%u samples", p.samples);
+    std::string out = text;
+    if (p.error > 0.0 && std::isfinite(p.error)) {
+        std::snprintf(text, sizeof(text), ", error %.3g", p.error);
+        out += text;
+        if (target_error) {
+            std::snprintf(text, sizeof(text), " of %.3g", *target_error);
+            out += text;
+        }
+    }
+    return out;
 }
 
 truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
@@ -284,11 +294,14 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.fingerprint = fingerprint(job, settings_text(path, options, o));
     const InterruptHandler interrupt;
     o.stop = &g_stop;
-    const bool terminal = isatty(STDERR_FILENO) != 0 && team->rank() == 0;
-    if (terminal) o.progress = print_progress;
-
-    truth::PathRender render = render_with(*team, job, o);
-    if (terminal) std::fprintf(stderr, "\r%78s\r", "");
+    truth::PathRender render = [&] {
+        ProgressLine line(path.label);
+        if (line.shown() && team->rank() == 0)
+            o.progress = [&](const truth::PathProgress& p) {
+                line.report(p.fraction, p.seconds_left, detail_of(p, path.target_error));
+            };
+        return render_with(*team, job, o);
+    }();
     PathModePicture out;
     out.writes = team->rank() == 0;
     if (!out.writes) return out;

@@ -23,6 +23,7 @@ struct PathModeOptions {
     std::optional<float> focus_m;
     std::string checkpoint;
     double checkpoint_every_s = 30.0;
+    std::string label = "rendering by path";  ///< of what is shown while it lasts
 };
 
 void add_path_options(CLI::App& command, PathModeOptions& options);

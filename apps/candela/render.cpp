@@ -12,6 +12,7 @@
 #include "job.hpp"
 #include "path_mode.hpp"
 #include "picture_files.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -44,10 +45,10 @@ realtime::Still render_frame_still(const RenderOptions& options, Job& job, Pictu
     std::fprintf(stderr, "candela: device: %s\n", info.device.c_str());
     const Shadows shadows = shadows_of(options.job.shadows, options.mode);
     info.settings["shadows"] = name_of(shadows);
-    FrameModeStill frame =
-        render_on_device(device, job,
-                         {integrate, info.samples, options.job.seed, !options.files.aovs.empty(), shadows,
-                          options.job.shadows.atlas_texels});
+    FrameModeStill frame = render_on_device(
+        device, job,
+        {integrate, info.samples, options.job.seed, !options.files.aovs.empty(), shadows,
+         options.job.shadows.atlas_texels, integrate ? "rendering by integrate" : "rendering"});
     warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
     seconds["setup"] = frame.setup_s;
     seconds["render"] = frame.render_s;
@@ -128,7 +129,10 @@ int render(RenderOptions options) {
         job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
     }
     const auto write = std::chrono::steady_clock::now();
-    write_pictures(options.files, job, still, info);
+    {
+        const ProgressLine line("writing");
+        write_pictures(options.files, job, still, info);
+    }
     if (!finished_checkpoint.empty()) {
         std::error_code ignored;
         std::filesystem::remove(finished_checkpoint, ignored);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "candela/scene/error.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -33,7 +34,9 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     check(o.light_scale, 0.0f, 1e12f, "--light-scale", "0 to 1e+12");
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
     StagedScene out;
-    out.scene = io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units}, diagnostics);
+    ProgressLine line("loading " + std::filesystem::path(o.scene_file).filename().string());
+    out.scene =
+        io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units, line.steps()}, diagnostics);
     if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
     io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
     io::place_stage_probes(out.stage.probes, out.scene);

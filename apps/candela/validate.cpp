@@ -6,6 +6,7 @@
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -44,11 +45,20 @@ int list(const std::vector<measure::Experiment>& experiments, bool json) {
 int validate(const ValidateOptions& options) {
     const auto experiments = measure::select_experiments(measure::all_experiments(), options.only);
     if (options.list) return list(experiments, options.json);
-    const measure::ValidationOutcome outcome = measure::validate(experiments, options.validation);
+    const measure::ValidationOutcome outcome = [&] {
+        ProgressLine line("running " + std::to_string(experiments.size()) + " experiments");
+        measure::ValidationOptions validation = options.validation;
+        validation.progress = line.function();
+        return measure::validate(experiments, validation);
+    }();
     if (options.json) {
         std::printf("%s\n", measure::results_json(outcome.results, version()).dump(2).c_str());
     } else {
         std::fputs(measure::results_text(outcome.results).c_str(), stdout);
+        if (!options.validation.folder.empty())
+            print_written(std::vector<std::filesystem::path>{options.validation.folder / "index.html",
+                                                             options.validation.folder / "results.json"});
+        if (!options.validation.techniques_file.empty()) print_written(options.validation.techniques_file);
     }
     return outcome.exit_code;
 }

@@ -223,3 +223,22 @@ TEST(RenderPath, TheEstimatedErrorIsTheTrueOne) {
     EXPECT_LT(truly, 1.05 * estimated);
     EXPECT_GT(truly, 0.3 * estimated);
 }
+
+// With a target error the number of samples that it may take says nothing: how far it is has to follow from
+// the tiles' errors.
+TEST(RenderPath, ProgressOfATargetErrorEndsNearItsEnd) {
+    truth::PathRenderOptions o = small_options();
+    o.samples = 1u << 18;
+    o.target_error = 0.03;
+    o.progress_every_s = 0.0;
+    std::vector<truth::PathProgress> reports;
+    o.progress = [&](const truth::PathProgress& p) { reports.push_back(p); };
+    EXPECT_EQ(render(o).outcome, truth::PathOutcome::finished);
+    ASSERT_GT(reports.size(), 40u);
+    EXPECT_GT(reports.back().fraction, 0.9);
+    EXPECT_TRUE(reports.back().seconds_left.has_value());
+    EXPECT_LT(reports.back().error, 0.03);
+    const truth::PathProgress& middle = reports[reports.size() / 2];
+    EXPECT_GT(middle.fraction, 0.25);
+    EXPECT_LT(middle.fraction, 0.75);
+}

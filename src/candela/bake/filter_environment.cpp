@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -82,6 +83,11 @@ class Filter {
     }
 
   private:
+    /// Each level has a quarter of the texels of the one before; those of level 0 are no work.
+    void report(std::size_t level) const {
+        if (options_.progress) options_.progress(1.0 - std::pow(0.25, double(level - 1)));
+    }
+
     /// The narrowest lobe that harmonics are for.
     [[nodiscard]] float least_alpha() const {
         float least = 1.0f;
@@ -98,6 +104,7 @@ class Filter {
         set_energy(out.specular.back(), energy);
         std::optional<CubePyramid> smooth;
         for (std::size_t level = 1; level < alphas_.size(); ++level) {
+            report(level);
             const std::uint32_t size = options_.size >> level;
             const float alpha = alphas_[level];
             if (is_narrow(alpha)) {
@@ -121,6 +128,7 @@ class Filter {
         const CubePyramid source(mean_cube(light_, options_.size));
         out.specular.push_back(source.level(0));
         for (std::size_t level = 1; level < alphas_.size(); ++level) {
+            report(level);
             const std::uint32_t size = options_.size >> level;
             if (options_.technique == FilterTechnique::cosine_power)
                 out.specular.push_back(cosine_power_cube(source, alphas_[level], size));

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "candela/scene/cube_map.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::bake {
@@ -29,6 +30,7 @@ struct FilterOptions {
     TexelValue texel = TexelValue::mean;
     std::uint32_t sample_count = 0;  ///< a texel, where the technique draws; 0: as its authors do
     std::uint32_t irradiance_size = 32;
+    ProgressFunction progress;  ///< by texels that are done
 };
 
 /// Name on the command line, and back; throws Error (Fault::usage) for a name that is none.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <mutex>
 #include <vector>
 
 #include "shading/lights/ltc.glsl"
@@ -206,11 +207,13 @@ float ltc_error(float NoV, float perceptual_roughness, const glm::vec4& texel) {
     return float(error_of(sample_lobe(NoV, perceptual_roughness), glm::dvec4(texel)));
 }
 
-LtcTable fit_ltc_table() {
+LtcTable fit_ltc_table(const ProgressFunction& progress) {
     constexpr auto size = static_cast<uint>(shading::kLtcSize);
     LtcTable table;
     table.texels.resize(std::size_t{size} * size);
     table.errors.resize(table.texels.size());
+    std::size_t done = 0;
+    std::mutex mutex;
     tbb::parallel_for(0u, size, [&](uint x) {
         glm::vec4 start = rough_ltc_start(shading::dfg_parameters(x, size - 1).x);
         for (uint y = size; y-- > 0;) {
@@ -218,6 +221,10 @@ LtcTable fit_ltc_table() {
             const LtcEntry entry = fit_ltc_entry(at.x, at.y, start);
             table.texels[std::size_t{y} * size + x] = entry.texel;
             table.errors[std::size_t{y} * size + x] = entry.error;
+            if (progress) {
+                const std::lock_guard lock(mutex);
+                progress(double(++done) / double(table.errors.size()));
+            }
             if (y > 0) start = next_ltc_start(entry.texel, shading::dfg_parameters(x, y - 1).y, at.y);
         }
     });

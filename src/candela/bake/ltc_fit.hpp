@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 
 #include "candela/bake/ltc_table.hpp"
+#include "candela/scene/progress.hpp"
 
 /// The fit behind the table of linearly transformed cosines: Heitz et al. 2016, on the lobe D V
 /// cos of height-correlated GGX without Fresnel, over its albedo.
@@ -29,6 +30,6 @@ struct LtcEntry {
 
 /// All entries, each started from its rougher neighbour, on all cores. The result does not depend on their
 /// number.
-[[nodiscard]] LtcTable fit_ltc_table();
+[[nodiscard]] LtcTable fit_ltc_table(const ProgressFunction& progress = {});
 
 }  // namespace candela::bake

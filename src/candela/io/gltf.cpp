@@ -226,6 +226,7 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
     GltfLights lights(document, options, diagnostics);
     Poser poser{document, nodes, scene, diagnostics, {}, {}, 0, {}};
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (options.progress) options.progress("meshes", double(i) / double(nodes.size()));
         if (!nodes[i].reachable) continue;
         if (!finite(nodes[i].world)) {
             diagnostics.warn("a node whose transform is not finite: skipped");
@@ -239,7 +240,7 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
         }
         lights.add(node, nodes[i], scene);
     }
-    read_images(document, scene);
+    read_images(document, options.progress, scene);
     if (scene.instances.empty()) diagnostics.warn("the scene is empty: nothing to draw");
     return scene;
 }

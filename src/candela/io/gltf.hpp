@@ -5,6 +5,7 @@
 #include <span>
 
 #include "candela/scene/diagnostics.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -22,6 +23,7 @@ struct GltfOptions {
         0.0f;  ///< animations, skins and morph targets are evaluated here; channels clamp at their ends
     float light_scale = 1.0f;  ///< multiplies every light of the file
     GltfLightUnits light_units = GltfLightUnits::spec;
+    StepFunction progress;  ///< from any thread, one at a time
 };
 
 /// Reads .gltf or .glb (told apart by content) with everything it refers to inside its own folder; poses it

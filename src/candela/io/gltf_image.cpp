@@ -109,7 +109,7 @@ void read_textures(const GltfDocument& document, scene::Scene& scene) {
     scene.images.resize(document.count("images"));
 }
 
-void read_images(const GltfDocument& document, scene::Scene& scene) {
+void read_images(const GltfDocument& document, const StepFunction& progress, scene::Scene& scene) {
     const std::set<std::uint32_t> used = used_images(scene);
     const std::vector<std::uint32_t> work(used.begin(), used.end());
     // Compressed buffer views are decoded on demand into a shared cache: before the threads start.
@@ -121,6 +121,7 @@ void read_images(const GltfDocument& document, scene::Scene& scene) {
     std::atomic<std::size_t> next = 0;
     std::atomic<std::uint64_t> decoded_bytes = 0;
     std::mutex mutex;
+    std::size_t decoded = 0;
     std::exception_ptr first_error;
     std::size_t first_error_at = work.size();
     const auto decode = [&] {
@@ -131,6 +132,9 @@ void read_images(const GltfDocument& document, scene::Scene& scene) {
                     document.array("images").fail("decode to more than 1 GiB");
                 }
                 scene.images[work[i]] = std::move(image);
+                if (!progress) continue;
+                const std::lock_guard lock(mutex);
+                progress("textures", double(++decoded) / double(work.size()));
             } catch (...) {
                 // The first in the file's order is reported, whichever thread met it.
                 const std::lock_guard lock(mutex);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "candela/io/gltf_document.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -13,6 +14,7 @@ namespace candela::io {
 void read_textures(const GltfDocument& document, scene::Scene& scene);
 
 /// Decodes the images that the scene's materials use, on all processors; the others stay empty.
-void read_images(const GltfDocument& document, scene::Scene& scene);
+/// `progress` after each image, by any thread, one at a time.
+void read_images(const GltfDocument& document, const StepFunction& progress, scene::Scene& scene);
 
 }  // namespace candela::io

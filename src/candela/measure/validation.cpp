@@ -28,15 +28,19 @@ ExperimentResult run_one(const Experiment& experiment) {
 }
 
 /// Experiments are taken from one counter by all threads; results keep the order of the experiments.
-std::vector<ExperimentResult> run_all(std::span<const Experiment> experiments, unsigned threads) {
+std::vector<ExperimentResult> run_all(std::span<const Experiment> experiments, unsigned threads,
+                                      const ProgressFunction& progress) {
     std::vector<ExperimentResult> results(experiments.size());
     std::atomic<std::size_t> next{0};
     std::mutex mutex;
     std::exception_ptr failure;
+    std::size_t done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < experiments.size(); i = next++) {
             try {
                 results[i] = run_one(experiments[i]);
+                const std::scoped_lock lock(mutex);
+                if (progress) progress(double(++done) / double(experiments.size()));
             } catch (...) {
                 const std::scoped_lock lock(mutex);
                 if (!failure) failure = std::current_exception();
@@ -67,8 +71,9 @@ bool all_pass(std::span<const ExperimentResult> results) {
     return std::all_of(results.begin(), results.end(), [](const ExperimentResult& r) { return r.pass(); });
 }
 
-std::vector<ExperimentResult> run_experiments(std::span<const Experiment> experiments, unsigned threads) {
-    std::vector<ExperimentResult> results = run_all(experiments, threads);
+std::vector<ExperimentResult> run_experiments(std::span<const Experiment> experiments, unsigned threads,
+                                              const ProgressFunction& progress) {
+    std::vector<ExperimentResult> results = run_all(experiments, threads, progress);
     for (ExperimentResult& result : results) {
         for (const Technique& technique : result.findings.techniques)
             result.techniques.push_back({technique, technique.cost_ns()});
@@ -79,7 +84,7 @@ std::vector<ExperimentResult> run_experiments(std::span<const Experiment> experi
 ValidationOutcome validate(std::span<const Experiment> experiments, const ValidationOptions& options) {
     if (!options.techniques_file.empty()) io::check_output_file(options.techniques_file);
     if (!options.folder.empty()) (void)io::make_output_folder(options.folder);
-    ValidationOutcome out{run_experiments(experiments, options.threads), 0};
+    ValidationOutcome out{run_experiments(experiments, options.threads, options.progress), 0};
     if (!options.folder.empty()) {
         write_text(options.folder / "results.json",
                    results_json(out.results, options.version).dump(2) + "\n");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "candela/measure/experiment.hpp"
+#include "candela/scene/progress.hpp"
 
 /// `candela validate`: runs experiments and writes what they found.
 namespace candela::measure {
@@ -29,7 +30,8 @@ struct ExperimentResult {
 /// Runs the experiments on `threads` >= 1 threads, then times their techniques one after the other. The first
 /// exception of an experiment is thrown on.
 [[nodiscard]] std::vector<ExperimentResult> run_experiments(std::span<const Experiment> experiments,
-                                                            unsigned threads);
+                                                            unsigned threads,
+                                                            const ProgressFunction& progress = {});
 
 [[nodiscard]] bool all_pass(std::span<const ExperimentResult> results);
 
@@ -54,7 +56,8 @@ struct ValidationOptions {
     std::filesystem::path folder;  ///< receives index.html and results.json, made if missing; empty: nothing
     std::filesystem::path techniques_file;  ///< empty: nothing
     unsigned threads = 2;
-    std::string version;  ///< of Candela, for the files
+    std::string version;        ///< of Candela, for the files
+    ProgressFunction progress;  ///< after each experiment
 };
 
 struct ValidationOutcome {

@@ -314,6 +314,7 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
         s.record_light(camera);
         s.picture->record(s.commands, s.frame, 1.0f / pre, i == 0);
         s.commands.submit_and_wait();
+        if (s.options.progress) s.options.progress(double(i + 1) / double(samples));
     }
     still.pass_times = s.commands.pass_times();
     still.planes = s.picture->read(s.commands, s.frame, samples);

@@ -9,6 +9,7 @@
 #include "candela/realtime/integrate_pass.hpp"
 #include "candela/realtime/picture_pass.hpp"
 #include "candela/realtime/profile.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::realtime {
@@ -32,6 +33,7 @@ struct RendererOptions {
     /// Finds the integrals that the profile's techniques approximate, one sample of them in each of
     /// `samples`: the mode `integrate`.
     std::optional<IntegrateOptions> integrate;
+    ProgressFunction progress;  ///< of render_still(): after each sample
 };
 
 /// A finished still, scene-referred: luminance in cd/m^2, exposure undone, row 0 on top.

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "candela/truth/checkpoint.hpp"
+#include "candela/truth/path_progress.hpp"
 
 namespace candela::truth {
 namespace {
@@ -31,7 +32,8 @@ class PathJob {
           team_(team),
           integrator_(scene, options.path),
           rays_(camera, options.width, options.height, options.lens),
-          film_(options.width, options.height, FilmLayout{options.aovs}) {}
+          film_(options.width, options.height, FilmLayout{options.aovs}),
+          tile_times_(film_.tile_count()) {}
 
     PathRender run();
 
@@ -48,10 +50,13 @@ class PathJob {
     void share_tiles();
     /// Adds a block's paths to `sums`; of the first block also returns what each pixel's first path met.
     std::vector<glm::uvec2> compute(std::uint32_t tile, std::uint32_t block, std::span<float> sums) const;
+    /// compute(), and how long it took. One thread a tile.
+    std::vector<glm::uvec2> compute_timed(std::uint32_t tile, std::uint32_t block, std::span<float> sums);
     void keep_ids(std::uint32_t tile, const std::vector<glm::uvec2>& ids);
     void alone(std::uint32_t block);
     void together(std::uint32_t begin, std::uint32_t end);
-    void after_commit(std::size_t tiles);
+    void after_commit();
+    [[nodiscard]] PathProgress progress() const;
     [[nodiscard]] bool at_round_end() const;
     void judge_tiles();
     [[nodiscard]] double floor_nit() const { return kErrorFloor * film_.median_luminance_nit(); }
@@ -65,7 +70,13 @@ class PathJob {
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_checkpoint_ = start_;
     Clock::time_point last_progress_ = start_;
-    std::uint64_t committed_ = 0;  ///< tile blocks, by this run
+    /// Of the blocks that this process computed itself.
+    struct TileTime {
+        double seconds = 0.0;
+        std::uint32_t blocks = 0;
+        std::uint32_t resumed_blocks = 0;  ///< that a checkpoint already had
+    };
+    std::vector<TileTime> tile_times_;
     bool replaced_ = false;
     std::mutex mutex_;
     std::exception_ptr error_;
@@ -125,6 +136,15 @@ std::vector<glm::uvec2> PathJob::compute(std::uint32_t tile, std::uint32_t block
     return ids;
 }
 
+std::vector<glm::uvec2> PathJob::compute_timed(std::uint32_t tile, std::uint32_t block,
+                                               std::span<float> sums) {
+    const Clock::time_point start = Clock::now();
+    std::vector<glm::uvec2> ids = compute(tile, block, sums);
+    tile_times_[tile].seconds += seconds_since(start);
+    ++tile_times_[tile].blocks;
+    return ids;
+}
+
 void PathJob::keep_ids(std::uint32_t tile, const std::vector<glm::uvec2>& ids) {
     if (ids.empty()) return;
     const Film::Rect r = film_.rect(tile);
@@ -135,33 +155,38 @@ void PathJob::keep_ids(std::uint32_t tile, const std::vector<glm::uvec2>& ids) {
     }
 }
 
-void PathJob::after_commit(std::size_t tiles) {
-    committed_ += tiles;
+void PathJob::after_commit() {
     if (!options_.checkpoint.empty() && seconds_since(last_checkpoint_) > options_.checkpoint_every_s) {
         save_checkpoint(options_.checkpoint, film_, options_.fingerprint);
         last_checkpoint_ = Clock::now();
     }
     if (!options_.progress || seconds_since(last_progress_) < options_.progress_every_s) return;
     last_progress_ = Clock::now();
-    PathProgress progress;
-    std::uint64_t done = 0;
-    std::uint64_t wanted = 0;
-    progress.samples = options_.samples;
-    for (const Film::Tile& tile : film_.tiles) {
-        done += tile.blocks;
-        wanted += tile.active ? total_blocks() : tile.blocks;
-        progress.samples = std::min(progress.samples, tile.samples);
+    options_.progress(progress());
+}
+
+PathProgress PathJob::progress() const {
+    const double floor = floor_nit();
+    PathPace pace;
+    pace.elapsed_s = seconds_since(start_);
+    PathProgress out;
+    out.samples = options_.samples;
+    std::vector<TileProgress> tiles(film_.tile_count());
+    for (std::uint32_t t = 0; t < film_.tile_count(); ++t) {
+        const Film::Tile& tile = film_.tiles[t];
+        const TileTime& time = tile_times_[t];
+        const double block_s = time.blocks > 0 ? time.seconds / time.blocks : 0.0;
+        tiles[t] = {tile.blocks, tile.active, options_.target_error ? film_.tile_error(t, floor) : 0.0,
+                    block_s};
+        pace.busy_s += block_s * (tile.blocks - time.resumed_blocks);
+        out.samples = std::min(out.samples, tile.samples);
     }
-    progress.fraction = static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(wanted, 1));
-    const double elapsed_s = seconds_since(start_);
-    double left_s = elapsed_s / static_cast<double>(committed_) * static_cast<double>(wanted - done);
-    if (options_.time_limit_s) {
-        left_s = std::min(left_s, *options_.time_limit_s - elapsed_s);
-        progress.fraction = std::max(progress.fraction, elapsed_s / *options_.time_limit_s);
-    }
-    progress.seconds_left = left_s;
-    if (progress.samples >= 2) progress.error = film_.picture_error(floor_nit());
-    options_.progress(progress);
+    const PathEstimate estimate = estimate_path(
+        tiles, {total_blocks(), kRoundBlocks, options_.target_error, options_.time_limit_s}, pace);
+    out.fraction = estimate.fraction;
+    out.seconds_left = estimate.seconds_left;
+    if (out.samples >= 2) out.error = film_.picture_error(floor);
+    return out;
 }
 
 void PathJob::alone(std::uint32_t block) {
@@ -174,12 +199,12 @@ void PathJob::alone(std::uint32_t block) {
                 if (enough) return;
                 const std::uint32_t tile = wanting[i];
                 std::vector<float> sums(film_.rect(tile).pixels() * film_.layout().channels());
-                const std::vector<glm::uvec2> ids = compute(tile, block, sums);
+                const std::vector<glm::uvec2> ids = compute_timed(tile, block, sums);
                 const std::lock_guard lock(mutex_);
                 try {
                     keep_ids(tile, ids);
                     film_.commit(tile, sums, samples_of(block));
-                    after_commit(1);
+                    after_commit();
                 } catch (...) {
                     if (!error_) error_ = std::current_exception();
                     enough = true;
@@ -211,8 +236,8 @@ void PathJob::together(std::uint32_t begin, std::uint32_t end) {
                 for (std::size_t i = range.begin(); i < range.end(); ++i) {
                     // Nobody reads the ids while this runs, and each tile has its own.
                     keep_ids(wanting[i],
-                             compute(wanting[i], own,
-                                     std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i])));
+                             compute_timed(wanting[i], own,
+                                           std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i])));
                 }
             },
             tbb::simple_partitioner());
@@ -230,7 +255,7 @@ void PathJob::together(std::uint32_t begin, std::uint32_t end) {
             film_.commit(wanting[i], std::span(sums).subspan(offsets[i], offsets[i + 1] - offsets[i]),
                          samples_of(block));
         }
-        after_commit(wanting.size());
+        after_commit();
     }
     (void)interrupted();
 }
@@ -263,6 +288,8 @@ PathRender PathJob::run() {
         }
     }
     share_tiles();
+    for (std::uint32_t t = 0; t < film_.tile_count(); ++t)
+        tile_times_[t].resumed_blocks = film_.tiles[t].blocks;
     const auto size = static_cast<std::uint32_t>(team_.size());
     for (std::uint32_t block = first_block(); block < total_blocks(); block = first_block()) {
         const std::uint32_t round_end = std::min((block / kRoundBlocks + 1) * kRoundBlocks, total_blocks());

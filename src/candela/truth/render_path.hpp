@@ -16,7 +16,7 @@ struct PathProgress {
     double fraction = 0.0;               ///< of the work that the options ask for, in [0,1]
     std::uint32_t samples = 0;           ///< of the tile that has fewest
     double error = 0.0;                  ///< Film::picture_error; 0 while unknown
-    std::optional<double> seconds_left;  ///< by the pace so far
+    std::optional<double> seconds_left;  ///< estimate_path()
 };
 
 struct PathRenderOptions {
