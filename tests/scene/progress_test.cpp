@@ -10,8 +10,9 @@ TEST(Progress, AnEvenPaceGoesOn) {
     EXPECT_FALSE(pace.seconds_left(1.0)) << "nothing is known yet";
     for (int i = 1; i <= 30; ++i) pace.add(2.0 * i, i / 100.0);
     EXPECT_NEAR(pace.seconds_left(60.0).value_or(-1.0), 140.0, 1e-9);
-    EXPECT_NEAR(pace.seconds_left(70.0).value_or(-1.0), 130.0, 1e-9) << "counts down between reports";
-    EXPECT_EQ(pace.seconds_left(1000.0).value_or(-1.0), 0.0);
+    EXPECT_NEAR(pace.seconds_left(61.5).value_or(-1.0), 138.5, 1e-9) << "counts down to the next report";
+    // 28 s too late after 30 s for 15 hundredths: that is 58 s for as much, and 70 are left.
+    EXPECT_NEAR(pace.seconds_left(90.0).value_or(-1.0), 70.0 * 58.0 / 15.0 - 2.0, 1e-6) << "overdue";
 }
 
 TEST(Progress, ASlowStartIsForgotten) {

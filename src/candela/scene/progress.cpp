@@ -25,14 +25,21 @@ std::optional<double> PaceEstimate::seconds_left(double elapsed_s) const {
     const Report& last = reports_.back();
     // The latest report of the earlier half of the time: from the start on, before there is one.
     Report from;
+    double steps = 0.0;
     for (const Report& report : reports_) {
-        if (report.elapsed_s > 0.5 * last.elapsed_s) break;
-        from = report;
+        if (report.elapsed_s > 0.5 * last.elapsed_s) {
+            steps += 1.0;
+        } else {
+            from = report;
+        }
     }
     const double gained = last.fraction - from.fraction;
     if (!(gained > 0.0)) return std::nullopt;
-    const double left_s = (1.0 - last.fraction) * (last.elapsed_s - from.elapsed_s) / gained;
-    return std::max(left_s - (elapsed_s - last.elapsed_s), 0.0);
+    const double seconds = last.elapsed_s - from.elapsed_s;
+    const double waited_s = std::max(elapsed_s - last.elapsed_s, 0.0);
+    // A report that is overdue makes the pace slower; until then the time counts down.
+    const double counted_s = std::min(waited_s, seconds / steps);
+    return std::max((1.0 - last.fraction) * (seconds + waited_s - counted_s) / gained - counted_s, 0.0);
 }
 
 std::string duration_text(double seconds) {

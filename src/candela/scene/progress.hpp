@@ -19,7 +19,7 @@ class PaceEstimate {
   public:
     /// Both non-decreasing.
     void add(double elapsed_s, double fraction);
-    /// Nothing before the first progress. Counts down while nothing is reported; at least 0.
+    /// Nothing before the first progress. Counts down to the next report, and grows when that is overdue.
     [[nodiscard]] std::optional<double> seconds_left(double elapsed_s) const;
     [[nodiscard]] double fraction() const { return reports_.empty() ? 0.0 : reports_.back().fraction; }
 
