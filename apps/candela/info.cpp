@@ -4,6 +4,7 @@
 
 #include "candela/bake/environment.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/strokes.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
@@ -56,6 +57,8 @@ json scene_json(const JobOptions& options) {
     const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},
              {"triangles", scene::triangle_count(scene)},
+             {"points", scene::count_strokes(scene).points},
+             {"line_segments", scene::count_strokes(scene).segments},
              {"meshes", scene.meshes.size()},
              {"instances", scene.instances.size()}};
     for (const char* list :
@@ -94,6 +97,9 @@ void print_scene(const json& s) {
                 s["file"].get<std::string>().c_str(), s["triangles"].get<std::size_t>(),
                 s["meshes"].get<std::size_t>(), s["instances"].get<std::size_t>(), s["materials"].size(),
                 s["images"].get<std::size_t>());
+    if (s["points"] != 0 || s["line_segments"] != 0)
+        std::printf("  strokes  %zu points, %zu line segments\n", s["points"].get<std::size_t>(),
+                    s["line_segments"].get<std::size_t>());
     if (s.contains("bounds_m")) std::printf("  bounds   %s m\n", s["bounds_m"].dump().c_str());
     for (const json& camera : s["cameras"]) std::printf("  camera   %s\n", camera.get<std::string>().c_str());
     for (const json& light : s["lights"]) {

@@ -9,6 +9,7 @@
 #include "candela/io/image_read.hpp"
 #include "candela/io/json_reader.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/strokes.hpp"
 #include "option_rules.hpp"
 #include "shading/tone_curves.glsl"
 
@@ -210,6 +211,9 @@ void add_picture_options(CLI::App& command, JobOptions& o) {
     command.add_option("--tonemap", o.tonemap, "Tone curve of PNG files")
         ->check(CLI::IsMember({"none", "aces", "agx", "neutral"}))
         ->capture_default_str();
+    command.add_option("--line-width", o.line_width_px, "Width in pixels of the file's lines and points")
+        ->check(number_in(0.1, 100.0))
+        ->capture_default_str();
     add_shadow_options(command, o.shadows);
     command.add_option("--seed", o.seed, "Of the sample positions")->capture_default_str();
 }
@@ -233,6 +237,7 @@ Job prepare(const JobOptions& options) {
     const io::Stage& stage = staged.stage;
     set_environment(options, stage, job);
     job.camera = choose_camera(options, stage, job);
+    scene::widen_strokes(job.scene, job.camera, job.width, job.height, options.line_width_px);
     job.exposure = choose_exposure(options, stage);
     return job;
 }

@@ -27,6 +27,7 @@ struct JobOptions : SceneFileOptions {
     EnvironmentFileOptions env_file;
     bool env_keep_sun = false;
     std::string size = "1280x720";
+    float line_width_px = 1.0f;
     std::string camera;
     std::vector<float> look_from;
     std::vector<float> look_at;

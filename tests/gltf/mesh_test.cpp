@@ -47,15 +47,41 @@ TEST(Mesh, StripsAndFansAreTheSameTrianglesAsLists) {
     EXPECT_EQ(triangles(only_primitive(load(ribbon(6, {0, 1, 3, 2, 4})))), fan_list);
 }
 
-TEST(Mesh, PointsAndLinesAreSkippedWithOneWarning) {
-    for (const int mode : {0, 1, 2, 3}) {
-        GltfBuilder b = ribbon(mode, {0, 1, 2, 3});
-        b.doc["meshes"][0]["primitives"].push_back(b.doc["meshes"][0]["primitives"][0]);
+TEST(Mesh, PointsAndLinesAreStrokes) {
+    const std::vector<std::pair<int, std::vector<std::uint32_t>>> expected{
+        {0, {0, 1, 2, 3, 4}},
+        {1, {0, 1, 2, 3}},  // the odd end has no partner
+        {2, {0, 1, 1, 2, 2, 3, 3, 4, 4, 0}},
+        {3, {0, 1, 1, 2, 2, 3, 3, 4}}};
+    for (const auto& [mode, indices] : expected) {
         Diagnostics diagnostics;
-        const scene::Scene s = load(b, diagnostics);
+        const scene::Scene s = load(ribbon(mode, {0, 1, 2, 3, 4}), diagnostics);
+        EXPECT_TRUE(diagnostics.warnings().empty()) << mode;
         EXPECT_EQ(scene::triangle_count(s), 0u);
-        ASSERT_FALSE(diagnostics.warnings().empty());
-        EXPECT_EQ(diagnostics.warnings()[0].text, "points and lines have no area: skipped");
+        ASSERT_EQ(s.meshes.at(0).strokes.size(), 1u) << mode;
+        const scene::Stroke& stroke = s.meshes[0].strokes[0];
+        EXPECT_EQ(stroke.geometry.indices, indices) << mode;
+        EXPECT_EQ(stroke.kind, mode == 0 ? scene::StrokeKind::points : scene::StrokeKind::lines);
+        EXPECT_EQ(stroke.geometry.bounds.max, glm::vec3(1, 2, 0));
+    }
+}
+
+// glTF 2.0, "Point and line materials": without normals they are the sum of base colour and emission, unlit.
+TEST(Mesh, LinesWithoutNormalsAreUnlitAndLinesWithNormalsAreLit) {
+    for (const bool normals : {false, true}) {
+        GltfBuilder b = ribbon(3, {0, 1, 2, 3, 4});
+        json& primitive = b.doc["meshes"][0]["primitives"][0];
+        if (normals)
+            primitive["attributes"]["NORMAL"] =
+                b.accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+        primitive["material"] =
+            b.push("materials", {{"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 0.5, 1}}}}});
+        const scene::Scene s = load(b);
+        const scene::Stroke& stroke = s.meshes.at(0).strokes.at(0);
+        EXPECT_EQ(s.materials.at(stroke.geometry.material).unlit, !normals);
+        EXPECT_EQ(s.materials.at(stroke.geometry.material).base_color.x, 0.25f);
+        EXPECT_EQ(stroke.geometry.normals.empty(), !normals);
+        EXPECT_FALSE(s.materials.at(0).unlit) << "triangles may use the material too";
     }
 }
 

@@ -59,17 +59,48 @@ void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
         diagnostics.warn(std::to_string(unknown.size() - most_named) + " more extensions are not supported");
 }
 
+/// glTF's default material, once.
+std::uint32_t default_material(scene::Scene& scene) {
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
+        if (scene.materials[i].name == "glTF default") return i;
+    scene::Material m;
+    m.name = "glTF default";
+    scene.materials.push_back(m);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+/// Points and lines without normals show the sum of base colour and emission, unlit (glTF 2.0, 3.9.6 "Point
+/// and line materials"); those with normals have no normal maps.
+std::uint32_t stroke_material(std::uint32_t index, bool lit, scene::Scene& scene) {
+    scene::Material m = scene.materials[index];
+    m.name += lit ? " (lines)" : " (unlit lines)";
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
+        if (scene.materials[i].name == m.name) return i;
+    m.normal_texture = {};
+    m.clearcoat.normal_texture = {};
+    m.anisotropy.strength = 0.0f;
+    m.double_sided = true;
+    if (!lit) {
+        m.unlit = true;
+        for (int c = 0; c < 3; ++c) m.base_color[c] = std::min(m.base_color[c] + m.emissive_nit[c], 1.0f);
+        m.emissive_nit = glm::vec3(0.0f);
+    }
+    scene.materials.push_back(m);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+scene::Stroke finish_stroke(const SourcePrimitive& source, scene::Primitive p, scene::Scene& scene) {
+    if (p.material == scene::no_index) p.material = default_material(scene);
+    if (!source.had_normals) p.normals.clear();
+    p.tangents.clear();
+    p.material = stroke_material(p.material, source.had_normals, scene);
+    for (const glm::vec3& x : p.positions) p.bounds.extend(x);
+    return {*source.stroke, std::move(p)};
+}
+
 /// A posed primitive with everything that scene::Primitive promises.
 scene::Primitive finish(const SourcePrimitive& source, scene::Primitive p, scene::Scene& scene) {
-    if (p.material == scene::no_index) {
-        // glTF's default material, once, at the end of the list.
-        if (scene.materials.empty() || scene.materials.back().name != "glTF default") {
-            scene::Material m;
-            m.name = "glTF default";
-            scene.materials.push_back(m);
-        }
-        p.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-    }
+    if (p.material == scene::no_index) p.material = default_material(scene);
     if (!source.had_normals) add_flat_normals(p);
     const scene::Material& m = scene.materials[p.material];
     const bool wants_tangents =
@@ -118,7 +149,11 @@ struct Poser {
                 diagnostics.warn("a primitive whose pose is not finite: skipped");
                 continue;
             }
-            mesh.primitives.push_back(finish(primitive, std::move(p), scene));
+            if (primitive.stroke) {
+                mesh.strokes.push_back(finish_stroke(primitive, std::move(p), scene));
+            } else {
+                mesh.primitives.push_back(finish(primitive, std::move(p), scene));
+            }
         }
         scene.meshes.push_back(std::move(mesh));
         return static_cast<std::uint32_t>(scene.meshes.size() - 1);

@@ -10,6 +10,9 @@
 namespace candela::io {
 namespace {
 
+constexpr std::uint64_t kPoints = 0;
+constexpr std::uint64_t kLineLoop = 2;
+constexpr std::uint64_t kLineStrip = 3;
 constexpr std::uint64_t kTriangles = 4;
 constexpr std::uint64_t kTriangleStrip = 5;
 constexpr std::uint64_t kTriangleFan = 6;
@@ -61,8 +64,19 @@ bool all_finite(const std::vector<Vec>& values) {
     });
 }
 
-/// Strips and fans as lists; glTF 2.0, 3.7.2.1.
+/// Loops and strips of lines as pairs of ends.
+std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& in, std::uint64_t mode) {
+    if (mode < kLineLoop) return {in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 2 * 2)};
+    std::vector<std::uint32_t> out;
+    for (std::size_t i = 1; i < in.size(); ++i) out.insert(out.end(), {in[i - 1], in[i]});
+    if (mode == kLineLoop && in.size() > 2) out.insert(out.end(), {in.back(), in.front()});
+    return out;
+}
+
+/// Strips, loops and fans as lists; glTF 2.0, 3.7.2.1.
 std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& in, std::uint64_t mode) {
+    if (mode == kPoints) return in;
+    if (mode <= kLineStrip) return as_segments(in, mode);
     if (mode == kTriangles) return {in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 3 * 3)};
     std::vector<std::uint32_t> out;
     for (std::size_t i = 2; i < in.size(); ++i) {
@@ -185,10 +199,6 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
                                               Diagnostics& diagnostics) {
     const std::uint64_t mode = source["mode"].unsigned_or(kTriangles);
     if (mode > kTriangleFan) source["mode"].fail("is not a primitive mode of glTF");
-    if (mode < kTriangles) {
-        diagnostics.warn("points and lines have no area: skipped");
-        return std::nullopt;
-    }
     const Attributes attributes(document, source);
     const auto positions = attributes.read("POSITION");
     if (!positions) {
@@ -196,6 +206,8 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
         return std::nullopt;
     }
     SourcePrimitive out;
+    if (mode < kTriangles)
+        out.stroke = mode == kPoints ? scene::StrokeKind::points : scene::StrokeKind::lines;
     scene::Primitive& p = out.primitive;
     p.positions = as_vec3(*positions, attributes.where("POSITION"));
     if (!all_finite(p.positions)) {
@@ -205,7 +217,8 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
     read_attributes(attributes, p, out);
     read_indices_of(document, source, attributes, mode, p);
     if (p.indices.empty()) {
-        diagnostics.warn("a primitive without triangles: skipped");
+        diagnostics.warn(out.stroke ? "a primitive without points or lines: skipped"
+                                    : "a primitive without triangles: skipped");
         return std::nullopt;
     }
     read_skin(attributes, p.positions.size(), out, diagnostics);

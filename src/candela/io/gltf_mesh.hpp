@@ -20,6 +20,7 @@ struct SourcePrimitive {
     };
     std::vector<MorphTarget> targets;
     bool had_normals = false;
+    std::optional<scene::StrokeKind> stroke;  ///< the indices are points or segments, not triangles
 };
 
 struct SourceMesh {

@@ -26,6 +26,12 @@ json primitive_json(const scene::Primitive& p, GltfFile& file) {
     return {{"attributes", attributes}, {"indices", file.add_indices(p.indices)}, {"material", p.material}};
 }
 
+json stroke_json(const scene::Stroke& stroke, GltfFile& file) {
+    json out = primitive_json(stroke.geometry, file);
+    out["mode"] = stroke.kind == scene::StrokeKind::points ? 0 : 1;
+    return out;
+}
+
 /// By index of the scene to index of the file: a mesh that nothing is left of is not written.
 std::map<std::uint32_t, std::size_t> write_meshes(const scene::Scene& scene, GltfFile& file) {
     std::map<std::uint32_t, std::size_t> out;
@@ -35,6 +41,7 @@ std::map<std::uint32_t, std::size_t> write_meshes(const scene::Scene& scene, Glt
         for (const scene::Primitive& p : mesh.primitives) {
             if (!p.positions.empty() && !p.indices.empty()) primitives.push_back(primitive_json(p, file));
         }
+        for (const scene::Stroke& stroke : mesh.strokes) primitives.push_back(stroke_json(stroke, file));
         if (primitives.empty()) continue;
         json entry{{"primitives", std::move(primitives)}};
         if (!mesh.name.empty()) entry["name"] = mesh.name;

@@ -34,8 +34,11 @@ Aabb transformed(const Aabb& bounds, const glm::mat4& matrix) {
 Aabb world_bounds(const Scene& scene) {
     Aabb bounds;
     for (const Instance& instance : scene.instances) {
-        for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        for (const Primitive& primitive : mesh.primitives)
             bounds.extend(transformed(primitive.bounds, instance.world));
+        for (const Stroke& stroke : mesh.strokes)
+            bounds.extend(transformed(stroke.geometry.bounds, instance.world));
     }
     return bounds;
 }

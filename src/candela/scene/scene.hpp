@@ -41,9 +41,19 @@ struct Primitive {
     Aabb bounds;
 };
 
+enum class StrokeKind : std::uint8_t { points, lines };
+
+/// Points or lines of a file: they have no width of their own. widen_strokes() (strokes.hpp) makes triangles
+/// of them for one camera; until then nothing draws them.
+struct Stroke {
+    StrokeKind kind = StrokeKind::lines;
+    Primitive geometry;  ///< its indices: a point each, or two ends of a segment each
+};
+
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
+    std::vector<Stroke> strokes;
 };
 
 struct Instance {
