@@ -18,7 +18,10 @@ CONSTANT int kDiffuseLambert = 0;
 CONSTANT int kDiffuseDisney = 1;
 CONSTANT int kDiffuseDisneyRenormalized = 2;
 CONSTANT int kVisibilitySmithCorrelated = 0;
+// k by where the light comes from: k_analytic for lights, k_image_based for the rest (Karis 2013).
 CONSTANT int kVisibilitySchlickSmith = 1;
+// k_image_based for all light.
+CONSTANT int kVisibilitySchlickSmithHalfAlpha = 2;
 CONSTANT int kFresnelSchlick = 0;
 CONSTANT int kFresnelSphericalGaussian = 1;
 // Schlick with the dielectric's f90 lowered below f0 = 2 % (Frostbite section 4.10.3).
@@ -57,6 +60,20 @@ FN BsdfTechniques techniques_frostbite() {
 }
 FN BsdfTechniques techniques_ue4() {
     return BsdfTechniques(kDiffuseLambert, kVisibilitySchlickSmith, kFresnelSphericalGaussian, kEnergyNone);
+}
+
+// The form of a model under light that comes from no light of the scene: from the environment and from other surfaces. The
+// techniques themselves are the form under lights. Karis 2013, "Specular G": the remapped roughness in k is for analytic
+// lights only; image-based light takes k = alpha / 2, and its listing of the environment's BRDF has Schlick's Fresnel.
+FN BsdfTechniques image_based_form(BsdfTechniques t) {
+    if (t.specular_visibility == kVisibilitySchlickSmith) t.specular_visibility = kVisibilitySchlickSmithHalfAlpha;
+    if (t.fresnel == kFresnelSphericalGaussian) t.fresnel = kFresnelSchlick;
+    return t;
+}
+
+// Whether image_based_form() is another model.
+FN bool has_two_forms(BsdfTechniques t) {
+    return t.specular_visibility == kVisibilitySchlickSmith || t.fresnel == kFresnelSphericalGaussian;
 }
 
 // What of a surface does not depend on the light: prepare once a pixel, evaluate once a light.
@@ -127,7 +144,20 @@ FN float specular_visibility(BsdfTechniques t, float NoV, float NoL, float perce
     if (t.specular_visibility == kVisibilitySchlickSmith) {
         return V_SchlickSmith(NoV, NoL, k_analytic(perceptual_roughness));
     }
+    if (t.specular_visibility == kVisibilitySchlickSmithHalfAlpha) {
+        return V_SchlickSmith(NoV, NoL, k_image_based(alpha));
+    }
     return V_SmithGGXCorrelated(NoV, NoL, alpha);
+}
+
+// D V of an isotropic lobe towards unit l, 1/sr, 0 below the horizon. distribution_alpha: for D; that of the surface, but for
+// techniques of area lights that widen it.
+FN float specular_lobe(BsdfTechniques t, vec3 n, vec3 v, vec3 l, float perceptual_roughness, float alpha,
+                       float distribution_alpha) {
+    float NoL = dot(n, l);
+    if (NoL <= 0.0f) return 0.0f;
+    return D_GGX(n, normalize(v + l), distribution_alpha) *
+           specular_visibility(t, max(dot(n, v), 1.0e-4f), NoL, perceptual_roughness, alpha);
 }
 
 // Diffuse and specular part of f(v,l) in 1/sr, no cosine. sin2_NH: squared sine between n and h.
@@ -176,6 +206,13 @@ FN float base_specular_lobe(Surface s, BsdfTechniques t, PreparedSurface p, vec3
                                                dot(tangent, l), dot(bitangent, l), alpha.x, alpha.y);
 }
 
+// The coat's lobe in 1/sr, about the coat's own normal, with the visibility of the base.
+FN float evaluate_coat(Surface s, BsdfTechniques t, vec3 coat_n, vec3 v, vec3 l) {
+    float alpha = alpha_from_perceptual_roughness(s.coat_perceptual_roughness);
+    return coat_reflectance(s.coat, max(dot(coat_n, v), 1.0e-4f)) *
+           specular_lobe(t, coat_n, v, l, s.coat_perceptual_roughness, alpha, alpha);
+}
+
 // All lobes: base (isotropic or anisotropic) under sheen under coat, as KHR_materials_sheen and _clearcoat
 // layer them. Diffuse and specular (with sheen and coat) part of f(v,l) in 1/sr, to be multiplied by NoL of
 // n: the coat, which has its own normal, is scaled for that. Unit vectors; tangent and bitangent
@@ -203,8 +240,7 @@ FN void evaluate_layered(Surface s, BsdfTechniques t, vec3 n, vec3 tangent, vec3
         float kept = coat_transmittance(s.coat, max(dot(coat_n, v), 1.0e-4f));
         float own_cosine = max(dot(coat_n, l), 0.0f) / max(NoL, 1.0e-4f);
         diffuse = diffuse * kept;
-        specular = specular * kept +
-                   vec3(evaluate_coat(s.coat, s.coat_perceptual_roughness, coat_n, v, l, h) * own_cosine);
+        specular = specular * kept + vec3(evaluate_coat(s, t, coat_n, v, l) * own_cosine);
     }
 }
 FN vec3 evaluate_layered(Surface s, BsdfTechniques t, vec3 n, vec3 tangent, vec3 bitangent, vec3 coat_n,
@@ -238,7 +274,7 @@ FN vec3 ibl_diffuse_weight(Surface s, BsdfTechniques t, float NoV, vec4 dfg) {
     return p.diffuse * albedo_DisneyRenormalized(p.NoV, s.perceptual_roughness);
 }
 
-// Weights of environment light for all lobes, consistent with evaluate_layered.
+// Weights of environment light for all lobes, consistent with evaluate_layered of image_based_form().
 struct IblWeights {
     vec3 diffuse;   // on irradiance / pi
     vec3 specular;  // on radiance prefiltered with the base's roughness about n

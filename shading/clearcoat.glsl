@@ -3,7 +3,6 @@
 #define CANDELA_CLEARCOAT_GLSL
 
 #include "fresnel.glsl"
-#include "microfacet.glsl"
 
 CANDELA_SHADING_BEGIN
 
@@ -19,16 +18,6 @@ FN float coat_reflectance(float coat, float coat_NoV) {
 // What is left for the layers below.
 FN float coat_transmittance(float coat, float coat_NoV) {
     return 1.0f - coat_reflectance(coat, coat_NoV);
-}
-
-// The coat's lobe in 1/sr, about the coat's own normal. Height-correlated Smith at every setting: roughness
-// of a coat is small, where the visibility functions agree.
-FN float evaluate_coat(float coat, float coat_perceptual_roughness, vec3 coat_n, vec3 v, vec3 l, vec3 h) {
-    float NoV = max(dot(coat_n, v), 1.0e-4f);
-    float NoL = dot(coat_n, l);
-    if (NoL <= 0.0f) return 0.0f;
-    float alpha = alpha_from_perceptual_roughness(coat_perceptual_roughness);
-    return coat_reflectance(coat, NoV) * D_GGX(coat_n, h, alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha);
 }
 
 CANDELA_SHADING_END

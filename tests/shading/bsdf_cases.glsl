@@ -81,8 +81,11 @@ FN vec4 case_clearcoat(NUMBERS) {
     vec3 v = case_direction(u[0], u[1]);
     vec3 l = case_direction(u[2], u[3]);
     vec3 n = vec3(0.0f, 0.0f, 1.0f);
-    return vec4(evaluate_coat(u[4], between(0.3f, 1.0f, u[5]), n, v, l, normalize(v + l)),
-                coat_reflectance(u[4], v.z), coat_transmittance(u[4], v.z), 0.0f);
+    float roughness = between(0.3f, 1.0f, u[5]);
+    float alpha = alpha_from_perceptual_roughness(roughness);
+    return vec4(coat_reflectance(u[4], v.z), coat_transmittance(u[4], v.z),
+                specular_lobe(techniques_best(), n, v, l, roughness, alpha, 1.1f * alpha),
+                specular_lobe(techniques_ue4(), n, v, l, roughness, alpha, alpha));
 }
 FN vec4 case_sheen(NUMBERS) {
     float roughness = between(0.2f, 1.0f, u[0]);

@@ -207,7 +207,7 @@ TEST(Diffuse, ClosedFormsOfTheAlbedoAreTheIntegrals) {
 
 TEST(Ibl, WeightsAreTheAlbedosOfTheSameModel) {
     Uniform u(4);
-    for (const BsdfTechniques& t : {techniques_best(), techniques_frostbite()}) {
+    for (const BsdfTechniques& t : {techniques_best(), techniques_frostbite(), techniques_ue4()}) {
         for (int i = 0; i < 12; ++i) {
             Surface s = white_dielectric(0.1f + 0.9f * u());
             s.base_color = vec3(u(), u(), u());
@@ -215,14 +215,17 @@ TEST(Ibl, WeightsAreTheAlbedosOfTheSameModel) {
             s.dielectric_f0 = vec3(0.01f + 0.1f * u());
             const float NoV = 0.05f + 0.95f * u();
             const vec3 v = at_cosine(NoV);
-            const vec4 dfg = integrate_dfg(NoV, s.perceptual_roughness, 1024);
+            const bool ue4 = t.specular_visibility == kVisibilitySchlickSmith;
+            const vec4 dfg = ue4 ? integrate_dfg_ue4(NoV, s.perceptual_roughness, 1024)
+                                 : integrate_dfg(NoV, s.perceptual_roughness, 1024);
+            const BsdfTechniques form = image_based_form(t);
             const vec3 weight = ibl_diffuse_weight(s, t, dfg) + ibl_specular_weight(s, t, NoV, dfg);
             EXPECT_LT(distance(ibl_diffuse_weight(s, t, dfg), ibl_diffuse_weight(s, t, NoV, dfg)), 1e-6f);
             for (int c = 0; c < 3; ++c) {
                 const double albedo = integrate_hemisphere<double>(
                     v, {alpha_from_perceptual_roughness(s.perceptual_roughness)}, 128, [&](const vec3& l) {
                         const vec3 h = normalize(v + l);
-                        return evaluate_standard(s, t, NoV, l.z, h.z, dot(l, h), dfg)[c];
+                        return evaluate_standard(s, form, NoV, l.z, h.z, dot(l, h), dfg)[c];
                     });
                 EXPECT_NEAR(weight[c], albedo, 3e-3)
                     << "component " << c << ", " << where(s.perceptual_roughness, NoV);

@@ -26,7 +26,8 @@ Slot slot(std::string_view name, Technique Profile::*member, std::vector<std::st
 
 std::vector<Slot> slots() {
     return {slot("diffuse", &Profile::diffuse, {"lambert", "disney", "disney-renormalized"}),
-            slot("visibility", &Profile::visibility, {"smith-correlated", "schlick-smith"}),
+            slot("visibility", &Profile::visibility,
+                 {"smith-correlated", "schlick-smith", "schlick-smith-half-alpha"}),
             slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
             slot("energy", &Profile::energy, {"none", "compensated"}),
             slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-nonmetal", "fully-rough"}),

@@ -10,7 +10,7 @@ namespace candela::realtime {
 /// The rows a profile picks, one technique for each kind of integral (docs/techniques.md names their
 /// sources). The numbers are the constants of the same names in shading/ and in realtime/shaders/.
 enum class DiffuseTechnique : std::uint8_t { lambert, disney, disney_renormalized };
-enum class VisibilityTechnique : std::uint8_t { smith_correlated, schlick_smith };
+enum class VisibilityTechnique : std::uint8_t { smith_correlated, schlick_smith, schlick_smith_half_alpha };
 enum class FresnelTechnique : std::uint8_t { schlick, spherical_gaussian, schlick_micro_occlusion };
 enum class EnergyTechnique : std::uint8_t { none, compensated };
 enum class DfgTechnique : std::uint8_t { table, env_brdf_approx, env_brdf_approx_nonmetal, fully_rough };

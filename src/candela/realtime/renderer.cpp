@@ -73,9 +73,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.nearest = gpu::create_sampler(device, nearest);
 
     frame.dfg = bake::create_dfg_table(device, commands,
-                                       options.profile.visibility == VisibilityTechnique::schlick_smith
-                                           ? bake::DfgModel::ue4_schlick_smith
-                                           : bake::DfgModel::smith_correlated);
+                                       options.profile.visibility == VisibilityTechnique::smith_correlated
+                                           ? bake::DfgModel::smith_correlated
+                                           : bake::DfgModel::ue4_schlick_smith);
     const bool ltc = frame.profile.area_specular == AreaSpecularTechnique::ltc;
     frame.ltc = ltc && (gpu_scene.light_list.kinds & kAreaKinds) != 0
                     ? bake::create_ltc_table(device, commands)

@@ -60,22 +60,38 @@ struct PathIntegrator::Vertex {
     }
 };
 
+/// What is left of light that comes along the path. The two forms of a material (shading::image_based_form)
+/// differ at its last surface: what the path meets next decides between them, so that light which both a
+/// light's and the material's draws find is weighed by one integrand.
+struct PathIntegrator::Throughput {
+    glm::vec3 factor{1.0f};
+    glm::vec3 diffuse_share{0.0f};  ///< of the first surface's lobes, per channel; the rest is specular
+
+    /// On through a surface whose lobes reflect `diffuse` and `specular`, over the density of the direction.
+    void pass(const glm::vec3& diffuse, const glm::vec3& specular, float pdf, bool first) {
+        const glm::vec3 both = diffuse + specular;
+        if (first) diffuse_share = share(diffuse, both);
+        factor *= both / pdf;
+    }
+};
+
 /// A path under way.
 struct PathIntegrator::Walk {
     Ray ray;
     PathResult result;
-    glm::vec3 throughput{1.0f};
-    glm::vec3 diffuse_share{0.0f};  ///< of the first surface's lobes, per channel; the rest is specular
-    glm::vec3 last_origin{0.0f};    ///< where light was drawn from at the last surface
+    Throughput from_lights;        ///< of what the ray meets of the scene's lights
+    Throughput from_surroundings;  ///< of all other light: the environment's, and what surfaces reflect
+    glm::vec3 last_origin{0.0f};   ///< where light was drawn from at the last surface
     glm::vec3 last_normal{0.0f};
     float last_pdf = 0.0f;  ///< of the direction that the path took; 1/sr
     int bounces = 0;
 
     /// Light that reaches the camera by way of surfaces met so far. `direct`: it left its source towards the
     /// first.
-    void add(const glm::vec3& light, bool direct) {
+    void add(const Throughput& by, const glm::vec3& arriving, bool direct) {
+        const glm::vec3 light = by.factor * arriving;
         result.luminance_nit += light;
-        const glm::vec3 diffuse = light * diffuse_share;
+        const glm::vec3 diffuse = light * by.diffuse_share;
         (direct ? result.direct_diffuse : result.indirect_diffuse) += diffuse;
         (direct ? result.direct_specular : result.indirect_specular) += light - diffuse;
     }
@@ -87,7 +103,8 @@ PathIntegrator::PathIntegrator(const scene::Scene& scene, const PathOptions& opt
       geometry_(scene),
       surfaces_(scene, geometry_),
       environment_(environment_of(scene, options)),
-      albedo_(options.techniques.specular_visibility == shading::kVisibilitySchlickSmith),
+      environment_form_(shading::image_based_form(options.techniques)),
+      albedo_(options.techniques.specular_visibility != shading::kVisibilitySmithCorrelated),
       any_transparency_(surfaces_.any_transparency()),
       background_visible_(options.furnace || (scene.environment && scene.environment->visible)) {
     if (!options.furnace) lights_.emplace(scene, geometry_, surfaces_);
@@ -140,8 +157,8 @@ float PathIntegrator::transmitted(const Ray& ray) const {
     return 0.0f;
 }
 
-void PathIntegrator::shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse,
-                           glm::vec3& specular) const {
+void PathIntegrator::shade(const Vertex& vertex, const shading::BsdfTechniques& form, const glm::vec3& l,
+                           glm::vec3& diffuse, glm::vec3& specular) const {
     const SurfacePoint& p = vertex.point;
     const float NoL = glm::dot(p.normal, l);
     if (NoL <= 0.0f) {
@@ -149,14 +166,13 @@ void PathIntegrator::shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& 
         return;
     }
     if (p.layered) {
-        shading::evaluate_layered(p.surface, options_.techniques, p.normal, p.tangent, p.bitangent,
-                                  p.coat_normal, vertex.v, l, vertex.dfg, diffuse, specular);
+        shading::evaluate_layered(p.surface, form, p.normal, p.tangent, p.bitangent, p.coat_normal, vertex.v,
+                                  l, vertex.dfg, diffuse, specular);
     } else {
         const glm::vec3 h = glm::normalize(vertex.v + l);
         const glm::vec3 nxh = glm::cross(p.normal, h);
-        shading::evaluate_prepared(vertex.prepared, options_.techniques, NoL,
-                                   shading::saturate(glm::dot(p.normal, h)), glm::dot(nxh, nxh),
-                                   shading::saturate(glm::dot(l, h)), diffuse, specular);
+        shading::evaluate_prepared(vertex.prepared, form, NoL, shading::saturate(glm::dot(p.normal, h)),
+                                   glm::dot(nxh, nxh), shading::saturate(glm::dot(l, h)), diffuse, specular);
     }
     diffuse *= NoL;
     specular *= NoL;
@@ -172,9 +188,8 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
     if (!(light.pdf > 0.0f) || black(light.light)) return;
     glm::vec3 diffuse;
     glm::vec3 specular;
-    shade(vertex, light.direction, diffuse, specular);
-    const glm::vec3 both = diffuse + specular;
-    if (black(both)) return;
+    shade(vertex, environment ? environment_form_ : options_.techniques, light.direction, diffuse, specular);
+    if (black(diffuse + specular)) return;
     float share_of_draw = 1.0f;
     // Without shadows a ray cannot find a surface behind others: these are then drawn in this way alone.
     const bool only_way = light.delta || (!options_.shadows && light.surface);
@@ -194,9 +209,9 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
     }
     const float visible = options_.shadows && light.casts_shadow ? transmitted(shadow) : 1.0f;
     if (visible <= 0.0f) return;
-    if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
-    walk.add(walk.throughput * both * light.light * (share_of_draw / light.pdf * visible),
-             walk.bounces == 0 && !environment);
+    Throughput by = walk.from_surroundings;
+    by.pass(diffuse, specular, light.pdf, walk.bounces == 0);
+    walk.add(by, light.light * (share_of_draw * visible), walk.bounces == 0 && !environment);
 }
 
 void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const {
@@ -226,14 +241,14 @@ void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSamp
 
 void PathIntegrator::add_emission(Walk& walk, const SurfacePoint& point, const Hit& hit) const {
     if (options_.furnace || black(point.emissive_nit)) return;
-    const glm::vec3 light = walk.throughput * point.emissive_nit;
     if (walk.bounces == 0) {
-        walk.result.luminance_nit += light;
-        walk.result.emissive += light;
+        walk.result.luminance_nit += point.emissive_nit;
+        walk.result.emissive += point.emissive_nit;
         return;
     }
     const float drawn = lights_->pdf_triangle({walk.last_origin, walk.ray.direction}, walk.last_normal, hit);
-    walk.add(light * weight(Draws::material, walk.last_pdf, drawn), walk.bounces == 1);
+    walk.add(walk.from_lights, point.emissive_nit * weight(Draws::material, walk.last_pdf, drawn),
+             walk.bounces == 1);
 }
 
 void PathIntegrator::add_shapes(Walk& walk, float surface_m) const {
@@ -247,24 +262,24 @@ void PathIntegrator::add_shapes(Walk& walk, float surface_m) const {
         if (window <= 0.0f) return;
         const float share_of_draw =
             weight(Draws::material, walk.last_pdf, lights_->pdf_shape(shape, ray, walk.last_normal));
-        walk.add(walk.throughput * lights_->shape_nit(shape, ray, distance_m) * (window * share_of_draw),
+        walk.add(walk.from_lights, lights_->shape_nit(shape, ray, distance_m) * (window * share_of_draw),
                  walk.bounces == 1);
     });
 }
 
 void PathIntegrator::add_suns(Walk& walk, bool sky) const {
     if (!lights_) return;
-    lights_->distant().each_sun(
-        walk.ray.direction, walk.last_normal,
-        [&](const scene::Light& light, const glm::vec3& luminance_nit, float drawn) {
-            if (walk.bounces == 0) {
-                if (sky && light.visible) walk.result.luminance_nit += luminance_nit;
-                return;
-            }
-            if (!sky && options_.shadows && light.casts_shadow) return;
-            walk.add(walk.throughput * luminance_nit * weight(Draws::material, walk.last_pdf, drawn),
-                     walk.bounces == 1);
-        });
+    lights_->distant().each_sun(walk.ray.direction, walk.last_normal,
+                                [&](const scene::Light& light, const glm::vec3& luminance_nit, float drawn) {
+                                    if (walk.bounces == 0) {
+                                        if (sky && light.visible) walk.result.luminance_nit += luminance_nit;
+                                        return;
+                                    }
+                                    if (!sky && options_.shadows && light.casts_shadow) return;
+                                    walk.add(walk.from_lights,
+                                             luminance_nit * weight(Draws::material, walk.last_pdf, drawn),
+                                             walk.bounces == 1);
+                                });
 }
 
 bool PathIntegrator::see_shape(Walk& walk, float surface_m) const {
@@ -287,12 +302,14 @@ bool PathIntegrator::see_shape(Walk& walk, float surface_m) const {
 
 void PathIntegrator::add_environment(Walk& walk) const {
     if (environment_.black()) return;
-    const glm::vec3 light = walk.throughput * environment_.luminance_nit(walk.ray.direction);
+    const glm::vec3 luminance_nit = environment_.luminance_nit(walk.ray.direction);
     if (walk.bounces == 0) {
-        if (background_visible_) walk.result.luminance_nit += light;
+        if (background_visible_) walk.result.luminance_nit += luminance_nit;
         return;
     }
-    walk.add(light * weight(Draws::material, walk.last_pdf, environment_.pdf(walk.ray.direction)), false);
+    walk.add(walk.from_surroundings,
+             luminance_nit * weight(Draws::material, walk.last_pdf, environment_.pdf(walk.ray.direction)),
+             false);
 }
 
 /// Goes on in a direction drawn from the material; false when the path ends here.
@@ -308,16 +325,23 @@ bool PathIntegrator::bounce(Walk& walk, const Vertex& vertex, const PathSampler&
     if (!(pdf > 0.0f)) return false;
     glm::vec3 diffuse;
     glm::vec3 specular;
-    shade(vertex, l, diffuse, specular);
-    const glm::vec3 both = diffuse + specular;
-    if (black(both)) return false;
-    if (walk.bounces == 0) walk.diffuse_share = share(diffuse, both);
-    walk.throughput *= both / pdf;
-    if (walk.bounces >= kSureBounces) {
-        const float survive = std::min(shading::max_component(walk.throughput), 0.97f);
-        if (choice.y >= survive) return false;
-        walk.throughput /= survive;
+    shade(vertex, environment_form_, l, diffuse, specular);
+    if (black(diffuse + specular)) return false;
+    Throughput lights = walk.from_surroundings;
+    walk.from_surroundings.pass(diffuse, specular, pdf, walk.bounces == 0);
+    if (shading::has_two_forms(options_.techniques)) {
+        shade(vertex, options_.techniques, l, diffuse, specular);
+        lights.pass(diffuse, specular, pdf, walk.bounces == 0);
+    } else {
+        lights = walk.from_surroundings;
     }
+    if (walk.bounces >= kSureBounces) {
+        const float survive = std::min(shading::max_component(walk.from_surroundings.factor), 0.97f);
+        if (choice.y >= survive) return false;
+        walk.from_surroundings.factor /= survive;
+        lights.factor /= survive;
+    }
+    walk.from_lights = lights;
     walk.ray = {vertex.origin_towards(l), l};
     walk.last_origin = vertex.origin;
     walk.last_pdf = pdf;

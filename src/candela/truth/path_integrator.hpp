@@ -63,6 +63,7 @@ class PathIntegrator {
 
   private:
     struct Vertex;
+    struct Throughput;
     struct Walk;
     enum class Next : std::uint8_t { surface, sky, lost };
     [[nodiscard]] Next next_surface(Ray& ray, Hit& hit, const PathSampler& sampler, int bounce) const;
@@ -70,7 +71,8 @@ class PathIntegrator {
     [[nodiscard]] glm::vec3 behind(const Ray& ray, const Hit& hit) const;
     /// Part of the light that gets through to `distance_m` along the ray: 0 behind anything opaque.
     [[nodiscard]] float transmitted(const Ray& ray) const;
-    void shade(const Vertex& vertex, const glm::vec3& l, glm::vec3& diffuse, glm::vec3& specular) const;
+    void shade(const Vertex& vertex, const shading::BsdfTechniques& form, const glm::vec3& l,
+               glm::vec3& diffuse, glm::vec3& specular) const;
     void add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const;
     void add_light(Walk& walk, const Vertex& vertex, const LightSample& light, bool environment) const;
     /// Of a draw of density `own` of the lights or the material, where the other's would be `other`.
@@ -90,6 +92,7 @@ class PathIntegrator {
     SurfaceReader surfaces_;
     EnvironmentLight environment_;
     std::optional<LightSampler> lights_;
+    shading::BsdfTechniques environment_form_;  ///< of the material model where light comes from no light
     AlbedoTable albedo_;
     bool any_transparency_;
     bool background_visible_;

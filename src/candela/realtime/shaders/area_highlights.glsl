@@ -39,9 +39,22 @@ vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float 
     return representative_point_sphere(a.to_center_m, mirror, a.radius_m);
 }
 
+// One lobe: a base's f0 and f90 with the albedo of its lobe, or a coat's.
+struct AreaLobe {
+    mat3 ltc;
+    vec3 n;
+    float perceptual_roughness;
+    float alpha;
+    vec3 albedo;  // with Fresnel
+    vec3 f0;
+    vec3 f90;
+};
+
 // D V of the point, and its direction.
-float area_highlight_lobe(uint group, int kind, AreaLight a, vec3 n, vec3 v, float alpha, out vec3 l) {
+float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3 v, out vec3 l) {
     float normalization = 1.0;
+    vec3 n = lobe.n;
+    float alpha = lobe.alpha;
     vec3 point = a.to_center_m;
     float lobe_alpha = alpha;
     if (kAreaSpecular == kAreaSpecularLtc) {
@@ -56,18 +69,8 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, vec3 n, vec3 v, flo
         point = area_highlight_point(group, kind, a, mirror, alpha, normalization);
     }
     l = direction_of(point);
-    return normalization * specular_at_point(n, v, point, alpha, lobe_alpha);
+    return normalization * specular_lobe(techniques(), n, v, l, lobe.perceptual_roughness, alpha, lobe_alpha);
 }
-
-// One lobe's highlight: a base's f0 and f90 with the albedo of its lobe, or a coat's.
-struct AreaLobe {
-    mat3 ltc;
-    vec3 n;
-    float alpha;
-    vec3 albedo;  // with Fresnel
-    vec3 f0;
-    vec3 f90;
-};
 
 vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
     vec3 sum = vec3(0.0);
@@ -78,7 +81,7 @@ vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe 
         if (!is_kind(kind, kLightSun) || lobe.alpha < kSunImageAlpha) return sum;
     }
     vec3 l;
-    float value = area_highlight_lobe(group, kind, a, lobe.n, p.v, lobe.alpha, l);
+    float value = area_highlight_lobe(group, kind, a, lobe, p.v, l);
     float LoH = saturate(dot(l, normalize(p.v + l)));
     vec3 mean = kLightPictures && group == kPolygons ? read_picture(light, vec3(0.5, 0.5, 1.0)) : vec3(1.0);
     return mean * specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
@@ -89,6 +92,7 @@ vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe 
 // once. A rectangle's picture is in it as LTC sees it; the other techniques take its mean.
 float area_highlights(uint group, int kind, Light light, SurfacePoint p, AreaLight a, out vec3 specular) {
     AreaLobe lobe;
+    lobe.perceptual_roughness = p.prepared.perceptual_roughness;
     lobe.ltc = p.area.ltc;
     lobe.n = p.g.normal;
     lobe.alpha = p.prepared.alpha;
@@ -105,6 +109,7 @@ float area_highlights(uint group, int kind, Light light, SurfacePoint p, AreaLig
         if (kShadeLayers) {
             lobe.ltc = p.area.coat_ltc;
             lobe.n = p.g.coat_normal;
+            lobe.perceptual_roughness = p.g.surface.coat_perceptual_roughness;
             lobe.alpha = alpha_from_perceptual_roughness(p.g.surface.coat_perceptual_roughness);
             lobe.albedo = vec3(p.area.coat * p.area.coat_albedo);
             lobe.f0 = vec3(p.area.coat);

@@ -263,9 +263,12 @@ void add_draw(Receiver r, Draw d, float scale, inout Lit lit) {
     if (max_component(d.direct + d.indirect) <= 0.0) return;
     vec3 diffuse;
     vec3 specular;
-    evaluate(r.p, d.l, NoL, diffuse, specular);
+    evaluate(r.p, techniques(), d.l, NoL, diffuse, specular);
     lit.direct_diffuse += diffuse * (d.direct * weight);
     lit.direct_specular += specular * (d.direct * weight);
+    if (kHasEnvironment && has_two_forms(techniques())) {
+        evaluate(r.p, image_based_form(techniques()), d.l, NoL, diffuse, specular);
+    }
     lit.indirect_diffuse += diffuse * (d.indirect * weight);
     lit.indirect_specular += specular * (d.indirect * weight);
 }

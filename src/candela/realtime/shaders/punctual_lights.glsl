@@ -22,7 +22,7 @@ void add_punctual_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
     float NoL = saturate(dot(p.g.normal, l));
     vec3 diffuse;
     vec3 specular;
-    evaluate(p, l, NoL, diffuse, specular);
+    evaluate(p, techniques(), l, NoL, diffuse, specular);
     vec3 illuminance_lx = perpendicular_lx * NoL;
     if (kShadowKinds != 0u && max_component(illuminance_lx) > 0.0) {
         illuminance_lx *= light_visibility(light, p.position, p.facet, l, p.pixel);

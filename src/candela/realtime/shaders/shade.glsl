@@ -106,15 +106,16 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     return p;
 }
 
-// Diffuse and specular part of the BSDF in 1/sr towards unit l, without the cosine.
-void evaluate(SurfacePoint p, vec3 l, float NoL, out vec3 diffuse, out vec3 specular) {
+// Diffuse and specular part of the BSDF in 1/sr towards unit l, without the cosine. t: techniques(), or image_based_form() of
+// them where the light is none of the scene's.
+void evaluate(SurfacePoint p, BsdfTechniques t, vec3 l, float NoL, out vec3 diffuse, out vec3 specular) {
     if (kShadeLayers) {
-        evaluate_layered(p.g.surface, techniques(), p.g.normal, p.g.tangent, p.bitangent, p.g.coat_normal, p.v, l, p.dfg,
+        evaluate_layered(p.g.surface, t, p.g.normal, p.g.tangent, p.bitangent, p.g.coat_normal, p.v, l, p.dfg,
                          diffuse, specular);
     } else {
         vec3 h = normalize(p.v + l);
         vec3 nxh = cross(p.g.normal, h);
-        evaluate_prepared(p.prepared, techniques(), NoL, saturate(dot(p.g.normal, h)), dot(nxh, nxh),
+        evaluate_prepared(p.prepared, t, NoL, saturate(dot(p.g.normal, h)), dot(nxh, nxh),
                           saturate(dot(l, h)), diffuse, specular);
     }
 }
