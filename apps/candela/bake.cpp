@@ -37,8 +37,9 @@ struct BakeOptions {
 /// What tables take; an environment takes all but these.
 const std::vector<std::string> kOfDfg{"--visibility", "--dfg-size"};
 const std::vector<std::string> kOfEnvironments{
-    "--env-layout", "--env-cube",        "--size",   "--levels", "--mapping",   "--technique",
-    "--samples",    "--irradiance-size", "--preset", "--format", "--env-scale", "--env-rotate"};
+    "--env-layout", "--env-cube", "--env-layer", "--env-negative", "--size",
+    "--levels",     "--mapping",  "--technique", "--samples",      "--irradiance-size",
+    "--preset",     "--format",   "--env-scale", "--env-rotate"};
 
 bool is_table(const std::string& what) {
     return what == "ltc" || what == "lobes" || what == "dfg";
@@ -141,7 +142,10 @@ void add_environment_options(CLI::App& command, BakeOptions& options) {
     BakeEnvironmentOptions& e = options.environment;
     const char* group = "Environments";
     add_environment_file_options(command, e.how);
-    command.add_option("--size", e.size, "Texels a side of the finest level (256)")
+    command
+        .add_option("--size", e.size,
+                    "Texels a side of the finest level (256); with threejs: of the cube that the "
+                    "picture goes through (none: as it is)")
         ->check(power_of_two(1, 4096))
         ->group(group);
     command.add_option("--levels", e.levels, "Levels; 0: down to one texel, or what the preset ends with")
@@ -195,6 +199,7 @@ void add_bake(CLI::App& app, Action& action) {
         refuse_before_subcommand(*command);
         if (!command->get_subcommands().empty()) return;
         check_options(*command, *options);
+        options->environment.size_given = command->count("--size") > 0;
         action = [options] { return bake(*options); };
     });
 }

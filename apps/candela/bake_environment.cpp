@@ -9,8 +9,10 @@
 
 #include "candela/bake/filter_environment.hpp"
 #include "candela/io/environment_write.hpp"
+#include "candela/measure/numerics.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "job.hpp"
 #include "option_rules.hpp"
 #include "progress_line.hpp"
 
@@ -47,13 +49,45 @@ bake::FilterOptions filter_options(const BakeEnvironmentOptions& options, io::En
     filter.technique = bake::filter_technique(options.technique.c_str());
     filter.mapping = options.mapping ? mapping_of(*options.mapping)
                                      : demand.mapping.value_or(scene::RoughnessMapping::linear);
-    filter.levels = options.levels;
+    filter.levels = preset == io::EnvironmentPreset::threejs ? 1 : options.levels;
     // A preset whose coarsest level is larger ends there.
     if (filter.levels == 0 && demand.smallest_level > 1 && options.size >= demand.smallest_level)
         filter.levels = static_cast<std::uint32_t>(
                             std::lround(std::log2(double(options.size) / double(demand.smallest_level)))) +
                         1;
     return filter;
+}
+
+constexpr const char* kChannels[] = {"red", "green", "blue"};
+
+nlohmann::json harmonics_of(const scene::HarmonicsWindow& window) {
+    nlohmann::json channels = nlohmann::json::array();
+    for (int c = 0; c < 3; ++c) {
+        const glm::vec2& bands = window.bands[static_cast<std::size_t>(c)];
+        channels.push_back({{"channel", kChannels[c]},
+                            {"least_over_mean", window.least_over_mean[c]},
+                            {"band_1_factor", bands.x},
+                            {"band_2_factor", bands.y}});
+    }
+    return {{"relative_rmse_without_window", window.error_without},
+            {"relative_rmse", window.error},
+            {"windowed", window.any()},
+            {"channels", channels}};
+}
+
+std::string harmonics_text(const scene::HarmonicsWindow& window) {
+    const auto percent = [](double error) { return measure::number(100.0 * error) + " %"; };
+    std::string out = "irradiance as 9 harmonics: relative RMSE " + percent(window.error_without);
+    if (!window.any()) return out + ", nowhere negative, no window";
+    out += ", " + percent(window.error) + " windowed";
+    for (int c = 0; c < 3; ++c) {
+        const glm::vec2& bands = window.bands[static_cast<std::size_t>(c)];
+        if (bands == glm::vec2(1.0f)) continue;
+        out += std::string("; ") + kChannels[c] + " fell to " +
+               measure::number(double{window.least_over_mean[c]}) + " of its mean: band 1 x " +
+               measure::number(double{bands.x}) + ", band 2 x " + measure::number(double{bands.y});
+    }
+    return out;
 }
 
 }  // namespace
@@ -112,7 +146,10 @@ int bake_environment(const BakeEnvironmentOptions& options) {
     }();
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const auto files = io::write_filtered_environment(options.folder, filtered, *format, preset);
+    // three.js takes a picture of all directions as it is, and filters by itself.
+    const bool as_it_is = preset == io::EnvironmentPreset::threejs && !options.size_given;
+    const auto files = io::write_filtered_environment(options.folder, filtered, *format, preset,
+                                                      as_it_is ? &environment : nullptr);
     nlohmann::json names = nlohmann::json::array();
     for (const auto& file : files) names.push_back(file.string());
     if (options.json) {
@@ -123,20 +160,20 @@ int bake_environment(const BakeEnvironmentOptions& options) {
                                  {"levels", filtered.specular.size()},
                                  {"filter_ms", milliseconds},
                                  {"nit_per_unit", filtered.nit_per_unit},
-                                 {"irradiance_sh_window", filtered.irradiance_sh_window},
+                                 {"irradiance_sh", harmonics_of(filtered.irradiance_sh_window)},
                                  {"folder", options.folder},
-                                 {"files", names}};
-        std::printf("%s\n", out.dump(2).c_str());
+                                 {"files", names},
+                                 {"warnings", warnings_json(diagnostics)}};
+        std::printf("%s\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
         return 0;
     }
     std::printf("%s: %zu levels from %u^2 by %s in %.0f ms, %zu files\n", options.folder.c_str(),
                 filtered.specular.size(), filter.size, options.technique.c_str(), milliseconds, files.size());
     if (filtered.nit_per_unit != 1.0f)
         std::printf("  stored values times %g are cd/m^2\n", double(filtered.nit_per_unit));
-    if (filtered.irradiance_sh_window > 0.0f)
-        std::printf("  harmonics windowed, lambda %g: without it they were negative\n",
-                    double(filtered.irradiance_sh_window));
+    std::printf("  %s\n", harmonics_text(filtered.irradiance_sh_window).c_str());
     print_written(options.folder);
+    print_warnings(diagnostics);
     return 0;
 }
 

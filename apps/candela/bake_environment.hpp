@@ -17,6 +17,7 @@ struct BakeEnvironmentOptions {
     std::string technique = "harmonic";
     std::optional<std::string> mapping;  ///< none: what the preset asks for, else linear
     std::uint32_t size = 256;
+    bool size_given = false;  ///< on the command line
     std::uint32_t levels = 0;
     std::uint32_t samples = 0;
     std::uint32_t irradiance_size = 32;

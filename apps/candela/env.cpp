@@ -32,7 +32,7 @@ constexpr double kDegPerRad = 180.0 / M_PI;
 struct EnvOptions {
     std::string file;
     EnvironmentFileOptions how;
-    float scale = 1.0f;
+    std::optional<float> scale;
     std::optional<float> lux;
     std::string output;
     bool json = false;
@@ -41,22 +41,27 @@ struct EnvOptions {
     float contrast = 25.0f;
 };
 
-Environment read(const EnvOptions& options, Diagnostics& diagnostics) {
-    if (!(options.scale > 0.0f && options.scale <= 1e12f))
+io::ReadEnvironment read(const EnvOptions& options, Diagnostics& diagnostics) {
+    const float scale = options.scale.value_or(1.0f);
+    if (!(scale > 0.0f && scale <= 1e12f))
         throw Error(Fault::usage, "out of range", "--env-scale", "above 0, to 1e+12");
     if (options.lux && !(*options.lux >= 1e-9f && *options.lux <= 1e12f))
         throw Error(Fault::usage, "out of range", "--env-lux", "1e-09 to 1e+12");
-    Environment e = environment_picture(options.file, options.how, diagnostics);
-    e.scale = options.scale;
-    if (!options.lux) return e;
+    io::ReadEnvironment e = environment_picture(options.file, options.how, diagnostics);
+    e.scale = scale;
+    if (!options.lux) {
+        if (!options.scale && !e.absolute) warn_of_level(e, diagnostics);
+        return e;
+    }
     e.scale = 1.0f;
     const double now_lx = scene::upward_illuminance_lx(e);
     if (!(now_lx > 0.0)) throw input_error("the environment gives no light", e.name, "leave --env-lux out");
     e.scale = static_cast<float>(double{*options.lux} / now_lx);
+    e.absolute = true;
     return e;
 }
 
-void write_map(const std::filesystem::path& file, const Environment& e) {
+void write_map(const std::filesystem::path& file, const io::ReadEnvironment& e) {
     std::array<std::vector<float>, 3> planes;
     for (std::size_t c = 0; c < 3; ++c) {
         planes[c].resize(e.luminance_nit.size());
@@ -67,7 +72,8 @@ void write_map(const std::filesystem::path& file, const Environment& e) {
                   {{"R", io::PixelType::float32, std::span<const float>(planes[0])},
                    {"G", io::PixelType::float32, std::span<const float>(planes[1])},
                    {"B", io::PixelType::float32, std::span<const float>(planes[2])}},
-                  {});
+                  e.absolute ? std::map<std::string, io::ExrAttribute>{{"whiteLuminance", 1.0f}}
+                             : std::map<std::string, io::ExrAttribute>{});
 }
 
 double elevation_deg(const glm::vec3& d) {
@@ -197,11 +203,12 @@ int calibrate(const EnvOptions& options) {
         throw Error(Fault::usage, "not a name of an EXR file: " + options.output, "-o", "FILE.exr");
     if (!options.output.empty()) io::check_output_file(options.output);
     Diagnostics diagnostics;
-    Environment e = environment_picture(options.file, options.how, diagnostics);
+    io::ReadEnvironment e = environment_picture(options.file, options.how, diagnostics);
     const double mean = mean_luminance(e, options.card);
     if (!(mean > 0.0)) throw input_error("the grey card is black", e.name);
     const double factor = double{options.value_nit} / mean;
     e.scale = static_cast<float>(factor);
+    e.absolute = true;
     if (!options.output.empty()) write_map(options.output, e);
     if (options.json) {
         json out{{"factor", factor},
@@ -238,7 +245,7 @@ int split(const EnvOptions& options) {
         throw Error(Fault::usage, "out of range", "--contrast", "2 to 1e+09");
     io::check_output_folder(options.output);
     Diagnostics diagnostics;
-    Environment e = read(options, diagnostics);
+    io::ReadEnvironment e = read(options, diagnostics);
     const double before_lx = total_lx(e);
     scene::SourceLimits limits;
     limits.contrast = double{options.contrast};

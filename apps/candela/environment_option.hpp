@@ -11,6 +11,8 @@ namespace candela::app {
 struct EnvironmentFileOptions {
     std::string layout = "auto";
     std::string cube_space;  ///< empty: what the file says
+    std::string layer;       ///< of an EXR file; empty: what io::EnvironmentOptions takes
+    std::string negative = "clamp";
 };
 
 void add_environment_file_options(CLI::App& command, EnvironmentFileOptions& options);
@@ -19,8 +21,12 @@ void add_environment_file_options(CLI::App& command, EnvironmentFileOptions& opt
 
 /// What an environment's name on a command line stands for, as one picture: a file, "studio", or "sky" with
 /// its settings, whose sun is then a texel of the picture.
-[[nodiscard]] scene::Environment environment_picture(const std::string& name,
-                                                     const EnvironmentFileOptions& options,
-                                                     Diagnostics& diagnostics);
+[[nodiscard]] io::ReadEnvironment environment_picture(const std::string& name,
+                                                      const EnvironmentFileOptions& options,
+                                                      Diagnostics& diagnostics);
+
+/// One warning for a file's light, with its scale, whose up-facing illuminance no lit place has: such files
+/// are relative.
+void warn_of_level(const scene::Environment& environment, Diagnostics& diagnostics);
 
 }  // namespace candela::app

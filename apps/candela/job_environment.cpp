@@ -22,13 +22,22 @@ void set_sky(const scene::SkySettings& settings, Job& job, std::optional<scene::
     sun = std::move(sky.sun);
 }
 
+/// A file's picture as the environment; true where the file says that it is in cd/m^2.
+bool set_file(io::ReadEnvironment picture, Job& job) {
+    const bool absolute = picture.absolute;
+    job.scene.environment = std::move(picture);
+    return absolute;
+}
+
 /// What the stage says; returns the illuminance that it asks for, 0 to leave the scale as it is.
-float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun) {
+float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun,
+                            bool& absolute) {
     if (e.sky)
         set_sky(*e.sky, job, sun);
+    else if (e.file.empty())
+        job.scene.environment = bake::studio_environment();
     else
-        job.scene.environment =
-            e.file.empty() ? bake::studio_environment() : io::read_stage_environment(e, job.diagnostics);
+        absolute = set_file(io::read_stage_environment(e, job.diagnostics), job);
     job.scene.environment->scale = e.scale;
     job.scene.environment->rotation_rad = e.rotation_rad;
     job.scene.environment->visible = e.visible;
@@ -69,6 +78,7 @@ void warn_of_two_suns(const scene::Light& sun, const std::string& whose, Job& jo
 void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
     const ProgressLine line("reading the environment");
     float lux = 0.0f;  // 0: leave the scale as it is
+    bool absolute = true;
     std::optional<scene::Light> sun;
     const std::optional<scene::SkySettings> sky = sky_of_option(options.environment);
     const bool stage_counts = options.environment.empty() && stage.environment;
@@ -80,14 +90,16 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
     if (stage_counts && stage.environment->sky && options.env_keep_sun)
         throw Error(Fault::usage, "has no effect on the stage's sky, whose sun is a light of its own",
                     "--env-keep-sun");
-    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun);
+    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun, absolute);
+    if (sky || options.environment == "studio") absolute = true;
     if (sky)
         set_sky(*sky, job, sun);
     else if (options.environment == "studio")
         job.scene.environment = bake::studio_environment();
     else if (!options.environment.empty())
-        job.scene.environment =
-            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file));
+        absolute = set_file(
+            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file)),
+            job);
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
         job.diagnostics.warn(
@@ -100,6 +112,8 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
     if (options.env_visible) e.visible = *options.env_visible;
     if (options.env_lux) lux = *options.env_lux;
     if (lux > 0.0f) scale_to_illuminance(lux, sun, e);
+    const bool stage_scales = stage_counts && stage.environment->scale != 1.0f;
+    if (!absolute && !(lux > 0.0f) && !options.env_scale && !stage_scales) warn_of_level(e, job.diagnostics);
     if (sun) {
         bake::follow_environment(*sun, e);
         warn_of_two_suns(*sun, "the sky's", job);
@@ -116,7 +130,8 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
 
 void add_environment_options(CLI::App& command, JobOptions& o) {
     command.add_option("--env", o.environment,
-                       "Environment: .hdr, .exr, .ktx2, .dds, a folder of cube faces, NAME_{face}.exr, sky, "
+                       "Environment: .hdr, .exr, .ktx2, .dds, .png, .jpg, .webp, a folder of cube faces, "
+                       "NAME_{face}.exr, sky, "
                        "sky:KEY=VALUE,..., studio or none");
     add_environment_file_options(command, o.env_file);
     command.add_flag("--env-keep-sun", o.env_keep_sun,

@@ -6,9 +6,10 @@
 namespace candela::app {
 namespace {
 
-const std::vector<std::string> kReading{"--env-layout", "--env-cube"};
+const std::vector<std::string> kReading{"--env-layout", "--env-cube", "--env-layer", "--env-negative"};
 const std::vector<std::string> kEnvironment{"--env-scale",  "--env-lux",      "--env-rotate", "--env-visible",
-                                            "--env-hidden", "--env-keep-sun", "--env-layout", "--env-cube"};
+                                            "--env-hidden", "--env-keep-sun", "--env-layout", "--env-cube",
+                                            "--env-layer",  "--env-negative"};
 
 }  // namespace
 
@@ -23,7 +24,7 @@ void check_environment_options(const CLI::App& command, const JobOptions& o) {
     if (o.environment == "none") refuse_without_effect(command, kEnvironment, "with --env none");
     if (o.environment.empty())
         refuse_without_effect(command, kReading, "without --env: a stage says how its own file is read",
-                              "--env FILE, or environment/layout and environment/cube of the stage");
+                              "--env FILE, or environment/layout, cube, layer and negative of the stage");
     check_environment_reading(command, o.environment);
     if (sky_of_option(o.environment))
         refuse_without_effect(command, {"--env-keep-sun"}, "on a sky, whose sun is a light of its own");

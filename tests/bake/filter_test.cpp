@@ -65,7 +65,7 @@ TEST(Filter, ConstantLightStaysAsItIs) {
                 EXPECT_NEAR(value.z, 1.0f, 1.0e-5f);
             });
         }
-        EXPECT_EQ(filtered.irradiance_sh_window, 0.0f);
+        EXPECT_FALSE(filtered.irradiance_sh_window.any());
     }
 }
 

@@ -42,6 +42,57 @@ TEST(CliEnv, InfoSaysIlluminanceAndTheSun) {
     EXPECT_NEAR(double(scaled["upward_illuminance_lx"]), 500.0, 0.01);
 }
 
+/// Lines of `text` that say that a file's level is relative.
+std::size_t relative_lines(const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("relative: "); at != std::string::npos;
+         at = text.find("relative: ", at + 1))
+        ++count;
+    return count;
+}
+
+TEST(CliEnv, ALevelThatNoPlaceHasIsSaidOnce) {
+    const TemporaryFolder folder;
+    const auto even = [&](const char* name, float value,
+                          const std::map<std::string, io::ExrAttribute>& more) {
+        const std::vector<float> plane(32, value);
+        const std::span<const float> pixels(plane);
+        io::write_exr(folder / name, 8, 4,
+                      {{"R", io::PixelType::float32, pixels},
+                       {"G", io::PixelType::float32, pixels},
+                       {"B", io::PixelType::float32, pixels}},
+                      more);
+    };
+    even("dim.exr", 0.73f, {});
+    even("room.exr", 100.0f, {});
+    even("glare.exr", 1.0e6f, {});
+    even("night.exr", 0.01f, {{"whiteLuminance", 1.0f}});
+    const std::string dim = folder / "dim.exr";
+    const Outcome info = run_candela("env info " + dim);
+    EXPECT_NE(info.err.find("dim.exr: relative: 2.293 lx up-facing; a sunset has about 400: --env-lux"),
+              std::string::npos)
+        << info.err;
+    EXPECT_EQ(relative_lines(info.err), 1u);
+    for (const char* how : {" --env-lux 400", " --env-scale 1"})
+        EXPECT_EQ(relative_lines(run_candela("env info " + dim + how).err), 0u) << how;
+    EXPECT_EQ(relative_lines(run_candela("env info " + (folder / "room.exr")).err), 0u);
+    EXPECT_EQ(relative_lines(run_candela("env info " + (folder / "glare.exr")).err), 1u);
+    EXPECT_EQ(relative_lines(run_candela("env info " + (folder / "night.exr")).err), 0u)
+        << "it says its unit";
+    const std::string file = folder / "nothing.gltf";
+    spit(file, R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]})");
+    const std::string meter = "meter " + file + " --at 0,0,0 --mode path --samples 4 --env ";
+    EXPECT_EQ(relative_lines(run_candela(meter + dim).err), 1u);
+    EXPECT_EQ(relative_lines(run_candela(meter + dim + " --env-lux 400").err), 0u);
+    EXPECT_EQ(relative_lines(run_candela(meter + "studio").err), 0u);
+    // What calibrate writes says that it is absolute.
+    ASSERT_EQ(
+        run_candela("env calibrate " + dim + " --grey-card 0,0,8,4 --value 0.5 -o " + (folder / "half.exr"))
+            .exit_code,
+        0);
+    EXPECT_EQ(relative_lines(run_candela("env info " + (folder / "half.exr")).err), 0u);
+}
+
 TEST(CliEnv, CalibrationMakesTheCardItsLuminance) {
     const TemporaryFolder folder;
     write_sky(folder / "sky.exr", 1000.0f);

@@ -42,6 +42,9 @@ inline scene::FilteredEnvironment filtered(scene::RoughnessMapping mapping, std:
         over({4, 4, 4}, k0),           over({0.5f, 0, 0}, k1),     over({0, 0.75f, 0}, k1),
         over({0, 0, 1}, k1),           over({0.25f, 0.5f, 0}, k2), over({0, 0.25f, 0.5f}, k2),
         over({0.125f, 0.25f, 0}, k20), over({0.5f, 0, 0.25f}, k2), over({0.25f, 0.125f, 0.5f}, k22)};
+    // Radiance is what the clamped cosine has not yet convolved.
+    for (std::size_t i = 0; i < 9; ++i)
+        out.radiance_sh[i] = out.irradiance_sh[i] * (i == 0 ? 1.0f : i < 4 ? 1.5f : 4.0f);
     return out;
 }
 

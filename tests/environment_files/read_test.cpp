@@ -3,6 +3,9 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "candela/io/environment_read.hpp"
 #include "candela/io/image_write.hpp"
@@ -223,6 +226,62 @@ TEST(ReadPictures, OctahedralIsAMapOfTheGroundWithNorthAhead) {
     EXPECT_EQ(diagnostics.warnings().size(), 1u) << "a guess is said";
 }
 
+/// Debevec's definition of an angular map, and a mirroring sphere by the law of reflection: the direction
+/// that a point of the picture shows, or nothing beyond the circle.
+std::optional<glm::vec3> seen_in_circle(bool ball, float a, float b) {
+    const float r = std::sqrt(a * a + b * b);
+    if (r > 1.0f) return std::nullopt;
+    if (ball) {
+        const glm::vec3 n(a, b, std::sqrt(1.0f - r * r)), view(0.0f, 0.0f, -1.0f);
+        return view - 2.0f * glm::dot(view, n) * n;
+    }
+    const float phi = std::numbers::pi_v<float> * r, k = r > 0.0f ? std::sin(phi) / r : 0.0f;
+    return glm::vec3(a * k, b * k, -std::cos(phi));
+}
+
+TEST(ReadPictures, AngularMapsAndMirrorBalls) {
+    const std::uint32_t side = 4 * kSize;
+    for (const bool ball : {false, true}) {
+        std::vector<glm::vec3> texels;
+        for (std::uint32_t i = 0; i < side * side; ++i) {
+            const auto d = seen_in_circle(ball, 2.0f * (float(i % side) + 0.5f) / float(side) - 1.0f,
+                                          1.0f - 2.0f * (float(i / side) + 0.5f) / float(side));
+            texels.push_back(d ? colorful(*d) : glm::vec3(1.0e6f));
+        }
+        const TemporaryFolder folder;
+        write_picture(folder / "probe.exr", side, side, texels);
+        io::EnvironmentOptions options;
+        options.layout = ball ? io::EnvironmentLayout::mirror_ball : io::EnvironmentLayout::angular;
+        Diagnostics diagnostics;
+        const scene::Environment e = io::read_environment(folder / "probe.exr", diagnostics, options);
+        expect_colorful(e, ball ? "mirror ball" : "angular map");
+        EXPECT_TRUE(diagnostics.warnings().empty());
+        for (const glm::vec3& t : e.luminance_nit)
+            ASSERT_LT(t.x, 10.0f) << "what is beyond the circle is no light";
+    }
+    EXPECT_EQ(io::layout_by_name("angular"), io::EnvironmentLayout::angular);
+    EXPECT_EQ(io::layout_by_name("mirror-ball"), io::EnvironmentLayout::mirror_ball);
+}
+
+TEST(Resample, TheLightOfACircleIsKeptAndASunOfOneTexelSurvives) {
+    for (const scene::CircleProjection projection :
+         {scene::CircleProjection::angular, scene::CircleProjection::mirror_ball}) {
+        constexpr std::uint32_t side = 64;
+        std::vector<glm::vec3> texels(side * side, glm::vec3(1.0f));
+        const std::uint32_t x = 40, y = 20;
+        texels[y * side + x] = glm::vec3(1.0e6f);
+        const float a = 2.0f * (float(x) + 0.5f) / side - 1.0f, b = 2.0f * (float(y) + 0.5f) / side - 1.0f;
+        const float r = std::sqrt(a * a + b * b);
+        const double density = projection == scene::CircleProjection::mirror_ball
+                                   ? 4.0
+                                   : std::numbers::pi * std::sin(std::numbers::pi * double(r)) / double(r);
+        const double sun = 1.0e6 * density * 4.0 / (side * side);
+        const glm::dvec3 light = light_of(scene::equirect_from_circle(
+            texels, side, projection, scene::equirect_size_of_circle(projection, side)));
+        EXPECT_NEAR(light.x / (sun + 4.0 * std::numbers::pi), 1.0, 2e-3);
+    }
+}
+
 TEST(Resample, TheLightOfACubeIsKeptAndASunOfOneTexelSurvives) {
     for (const std::uint32_t size : {7u, 32u}) {
         for (const auto& [face, x, y] : {std::tuple{0u, 3u, 3u}, std::tuple{2u, 0u, 0u},
@@ -331,7 +390,9 @@ TEST(ReadHostile, WhatIsNoLuminanceIsRepairedWithAWarning) {
     const scene::Environment e = io::read_environment(folder / "a.ktx2", diagnostics);
     ASSERT_EQ(diagnostics.warnings().size(), 3u);
     EXPECT_EQ(diagnostics.warnings()[0].text,
-              "a.ktx2: negative luminance became 0, in 1 of 6 texels, the least -1 cd/m2");
+              "a.ktx2: negative luminance became 0, in 1 of 6 texels, the least -1; the up-facing "
+              "illuminance stays "
+              "within 0.05 %");
     EXPECT_NE(diagnostics.warnings()[1].text.find("not a number became 0, in 1 of 6"), std::string::npos);
     EXPECT_NE(diagnostics.warnings()[2].text.find("infinite luminance"), std::string::npos);
     for (const glm::vec3& t : e.luminance_nit) EXPECT_TRUE(t.x >= 0.0f && t.x <= 2.01f) << t.x;

@@ -11,6 +11,7 @@
 #include "candela/scene/error.hpp"
 #include "common/files.hpp"
 #include "filtered.hpp"
+#include "shading/environment.glsl"
 #include "texture_files.hpp"
 
 namespace candela::test {
@@ -163,6 +164,46 @@ TEST(Threejs, ItsShadersFindDirectionsScaleAndHarmonics) {
             k(7) * 2.0f * 0.429043f * n.x * n.z + k(8) * 0.429043f * (n.x * n.x - n.y * n.y);
         expect_near(float(probe["intensity"]) / pi * irradiance, irradiance_over_pi_nit(n), 1e-4f,
                     "harmonics");
+    }
+}
+
+// Each texel as it was, in the direction in which three.js looks for it; a peak beyond half floats by the
+// unit.
+TEST(Threejs, AnEquirectangularSourceIsOnlyTurned) {
+    for (const float peak : {78848.0f, 40000.0f}) {
+        for (const float rotation_deg : {0.0f, 90.0f, -33.75f, 725.625f}) {
+            scene::Environment source;
+            source.width = 64;
+            source.height = 32;
+            for (std::uint32_t i = 0; i < 64 * 32; ++i)
+                source.luminance_nit.emplace_back(i % 61, i % 7, 1.0f);
+            const std::size_t sun = 9 * 64 + 21;
+            source.luminance_nit[sun] = glm::vec3(peak, 0.5f * peak, 0.0f);
+            source.scale = 2.0f;
+            source.rotation_rad = rotation_deg * std::numbers::pi_v<float> / 180.0f;
+            const TemporaryFolder folder;
+            (void)io::write_filtered_environment(folder.path(), filtered(RoughnessMapping::linear, 4, 1),
+                                                 CubeFormat::ktx2, EnvironmentPreset::threejs, &source);
+            const io::FloatImage picture = io::read_exr(folder / "environment.exr");
+            ASSERT_EQ(picture.width, 64u);
+            const float unit = metadata_of(folder)["units"]["nit_per_unit"];
+            for (std::uint32_t i = 0; i < 64 * 32; ++i) {
+                const glm::vec2 uv((float(i % 64) + 0.5f) / 64.0f, (float(i / 64) + 0.5f) / 32.0f);
+                const glm::vec3 d =
+                    shading::rotate_about_y(shading::equirect_direction(uv), source.rotation_rad);
+                const float u = std::atan2(d.z, d.x) / (2.0f * std::numbers::pi_v<float>)+0.5f;
+                const std::size_t at = i / 64 * 64 + std::size_t(u * 64.0f) % 64;
+                const glm::vec3 value((*picture.find("R"))[at], (*picture.find("G"))[at],
+                                      (*picture.find("B"))[at]);
+                const glm::vec3 expected = 2.0f * source.luminance_nit[i];
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(value[c] * unit, expected[c], 1.0e-3f * expected[c] + 1.0e-4f) << i;
+            }
+            const json probe = json::parse(slurp(folder / "light_probe.json"))["object"];
+            EXPECT_EQ(float(probe["intensity"]), unit);
+            const glm::vec3 mean = kNitPerUnit * filtered(RoughnessMapping::linear, 4, 1).radiance_sh[0];
+            EXPECT_NEAR(float(probe["sh"][0]) * unit, mean.x, 1.0e-4f * mean.x);
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,9 @@
 #include "candela/bake/irradiance_harmonics.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/scene/half_range.hpp"
+#include "shading/cube.glsl"
 #include "shading/microfacet.glsl"
+#include "shading/spherical_harmonics.glsl"
 
 namespace candela::bake {
 namespace {
@@ -59,6 +62,25 @@ void set_energy(scene::CubeMap& cube, const glm::dvec3& energy) {
     for (glm::vec3& texel : cube.texels) texel *= scale;
 }
 
+/// scene::HarmonicsWindow::error against irradiance at the centres of a cube's texels.
+double relative_error(const Sh9& sh, const scene::CubeMap& truth) {
+    double differences = 0.0, squares = 0.0;
+    for (std::uint32_t face = 0; face < 6; ++face) {
+        for (std::uint32_t y = 0; y < truth.size; ++y) {
+            for (std::uint32_t x = 0; x < truth.size; ++x) {
+                const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / static_cast<float>(truth.size);
+                const glm::vec3 p = shading::cube_point(static_cast<int>(face), uv);
+                const double weight = std::pow(double{glm::dot(p, p)}, -1.5);
+                const glm::dvec3 expected(truth.texels[truth.index(face, x, y)]);
+                const glm::dvec3 off = glm::dvec3(evaluate_sh(sh, glm::normalize(p))) - expected;
+                differences += weight * glm::dot(off, off);
+                squares += weight * glm::dot(expected, expected);
+            }
+        }
+    }
+    return squares > 0.0 ? std::sqrt(differences / squares) : 0.0;
+}
+
 class Filter {
   public:
     Filter(const scene::Environment& environment, const FilterOptions& options)
@@ -74,10 +96,10 @@ class Filter {
             harmonic_levels(out);
         else
             sampled_levels(out);
-        out.irradiance = sample_cube(LobeField(light_, harmonics_, 1.0f), light_.rotation_rad, 1.0f,
-                                     options_.irradiance_size, options_.texel);
-        out.irradiance_sh = irradiance_sh(light_, harmonics_);
-        out.irradiance_sh_window = window_negative(out.irradiance_sh);
+        const LobeField irradiance(light_, harmonics_, 1.0f);
+        out.irradiance =
+            sample_cube(irradiance, light_.rotation_rad, 1.0f, options_.irradiance_size, options_.texel);
+        add_harmonics(irradiance, out);
         to_units(out);
         return out;
     }
@@ -86,6 +108,20 @@ class Filter {
     /// Each level has a quarter of the texels of the one before; those of level 0 are no work.
     void report(std::size_t level) const {
         if (options_.progress) options_.progress(1.0 - std::pow(0.25, double(level - 1)));
+    }
+
+    /// With what they are off by against the irradiance itself.
+    void add_harmonics(const LobeField& irradiance, scene::FilteredEnvironment& out) const {
+        constexpr std::uint32_t size = 16;
+        const scene::CubeMap truth =
+            sample_cube(irradiance, light_.rotation_rad, 1.0f, size, TexelValue::center);
+        out.irradiance_sh = irradiance_sh(light_, harmonics_);
+        for (std::size_t i = 0; i < out.radiance_sh.size(); ++i)
+            out.radiance_sh[i] = out.irradiance_sh[i] / shading::sh_cosine_over_pi(static_cast<int>(i));
+        const double without = relative_error(out.irradiance_sh, truth);
+        out.irradiance_sh_window = window_negative(out.irradiance_sh);
+        out.irradiance_sh_window.error_without = without;
+        out.irradiance_sh_window.error = relative_error(out.irradiance_sh, truth);
     }
 
     /// The narrowest lobe that harmonics are for.
@@ -153,6 +189,7 @@ class Filter {
         }
         for (glm::vec3& texel : out.irradiance.texels) texel *= scale;
         for (glm::vec3& coefficient : out.irradiance_sh) coefficient *= scale;
+        for (glm::vec3& coefficient : out.radiance_sh) coefficient *= scale;
     }
 
     FilterOptions options_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <vector>
 
 #include "shading/environment.glsl"
 #include "shading/spherical_harmonics.glsl"
@@ -14,34 +17,114 @@ void project(Sh9& sh, const glm::vec3& direction, const glm::vec3& value) {
         sh[i] += value * shading::sh_basis(static_cast<int>(i), direction);
 }
 
-/// The parts of each degree in directions dense enough for functions of degree 2, as shares of the mean.
-std::vector<glm::vec3> degrees_over_mean(const Sh9& sh) {
-    std::vector<glm::vec3> out;
-    constexpr int rows = 48;
-    for (int y = 0; y <= rows; ++y) {
-        for (int x = 0; x < 2 * rows; ++x) {
-            const glm::vec3 d = shading::equirect_direction(
-                {static_cast<float>(x) / (2.0f * rows), static_cast<float>(y) / rows});
-            std::array<glm::vec3, 3> degrees{};
-            for (int i = 0; i < shading::kShCoefficients; ++i)
-                degrees[i == 0 ? 0 : (i < 4 ? 1 : 2)] +=
-                    sh[static_cast<std::size_t>(i)] * shading::sh_basis(i, d);
-            for (int c = 0; c < 3; ++c) {
-                if (degrees[0][c] > 0.0f)
-                    out.emplace_back(1.0f, degrees[1][c] / degrees[0][c], degrees[2][c] / degrees[0][c]);
-            }
-        }
+/// A channel over its mean, as a function of the unit direction d: 1 + b.d + d.(A d), A without a trace.
+struct Shape {
+    glm::dvec3 b{0.0};
+    glm::dmat3 a{0.0};
+    double power_1 = 0.0;  ///< mean square of band 1 over the sphere, to a common factor
+    double power_2 = 0.0;
+
+    /// The two bands in a direction, to be weighted.
+    [[nodiscard]] glm::dvec2 bands(const glm::dvec3& d) const { return {glm::dot(b, d), glm::dot(d, a * d)}; }
+};
+
+Shape shape_of(const Sh9& sh, int channel) {
+    const auto k = [&](int i) {
+        return double{sh[static_cast<std::size_t>(i)][channel]} * double{shading::sh_scale(i)};
+    };
+    const double mean = k(0);
+    Shape out;
+    out.b = glm::dvec3(k(3), k(1), k(2)) / mean;
+    // Of shading::sh_polynomial: x y, y z, 3 z^2 - 1 = 2 z^2 - x^2 - y^2, x z, x^2 - y^2.
+    out.a[0][0] = (k(8) - k(6)) / mean;
+    out.a[1][1] = (-k(8) - k(6)) / mean;
+    out.a[2][2] = 2.0 * k(6) / mean;
+    out.a[0][1] = out.a[1][0] = 0.5 * k(4) / mean;
+    out.a[1][2] = out.a[2][1] = 0.5 * k(5) / mean;
+    out.a[0][2] = out.a[2][0] = 0.5 * k(7) / mean;
+    for (int i = 1; i < shading::kShCoefficients; ++i) {
+        const double c = double{sh[static_cast<std::size_t>(i)][channel]} / mean;
+        (i < 4 ? out.power_1 : out.power_2) += c * c;
     }
     return out;
 }
 
-float least_windowed(const std::vector<glm::vec3>& degrees, float lambda) {
-    const glm::vec3 window(shading::sh_window(0, lambda), shading::sh_window(1, lambda),
-                           shading::sh_window(4, lambda));
-    float least = 1.0f;
-    for (const glm::vec3& d : degrees) least = std::min(least, glm::dot(window, d));
-    return least;
+glm::dvec3 downhill(const Shape& shape, const glm::dvec2& weights, glm::dvec3 at) {
+    double squares = 0.0;
+    for (int c = 0; c < 3; ++c) squares += glm::dot(shape.a[c], shape.a[c]);
+    // No second derivative along the sphere is larger.
+    const double steepest = weights.x * glm::length(shape.b) + 4.0 * weights.y * std::sqrt(squares);
+    if (!(steepest > 0.0)) return at;
+    constexpr int steps = 300;
+    for (int i = 0; i < steps; ++i) {
+        const glm::dvec3 gradient = weights.x * shape.b + 2.0 * weights.y * (shape.a * at);
+        at = glm::normalize(at - (gradient - at * glm::dot(at, gradient)) / steepest);
+    }
+    return at;
 }
+
+/// Where the weighted bands are least: the least of a grid, followed downhill.
+glm::dvec3 least_direction(const Shape& shape, const glm::dvec2& weights) {
+    const auto value = [&](const glm::dvec3& d) { return glm::dot(weights, shape.bands(d)); };
+    constexpr int rows = 24;
+    glm::dvec3 at(0.0, 1.0, 0.0);
+    for (int y = 0; y <= rows; ++y) {
+        for (int x = 0; x < 2 * rows; ++x) {
+            const glm::dvec3 d(shading::equirect_direction(
+                {static_cast<float>(x) / (2.0f * rows), static_cast<float>(y) / rows}));
+            if (value(d) < value(at)) at = d;
+        }
+    }
+    at = downhill(shape, weights, at);
+    // Band 2 is even, so what competes is about the opposite direction.
+    const glm::dvec3 opposite = downhill(shape, weights, -at);
+    return value(opposite) < value(at) ? opposite : at;
+}
+
+/// The weights from 0 to 1 that change the least, in the mean square over the sphere, of those with which
+/// 1 + weights.bands >= 0 for all `bands`: a convex problem in two unknowns. weights 0 meet every constraint.
+glm::dvec2 least_change(const Shape& shape, const std::vector<glm::dvec2>& bands) {
+    // What the constraints leave of the weight of band 1, given that of band 2.
+    const auto allowed = [&](double second) {
+        glm::dvec2 range(0.0, 1.0);
+        for (const glm::dvec2& b : bands) {
+            const double rest = 1.0 + second * b.y;
+            if (b.x < 0.0) range.y = std::min(range.y, rest / -b.x);
+            if (b.x > 0.0) range.x = std::max(range.x, -rest / b.x);
+            if (b.x == 0.0 && rest < 0.0) range.y = -1.0;
+        }
+        return range;
+    };
+    constexpr int halvings = 40;
+    double most = 1.0;
+    if (glm::dvec2 r = allowed(most); r.x > r.y) {
+        double low = 0.0;
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = 0.5 * (low + most);
+            r = allowed(middle);
+            (r.x > r.y ? most : low) = middle;
+        }
+        most = low;
+    }
+    const auto cost = [&](double second) {
+        const double first = allowed(second).y;
+        return (1.0 - first) * (1.0 - first) * shape.power_1 +
+               (1.0 - second) * (1.0 - second) * shape.power_2;
+    };
+    double low = 0.0;
+    double high = most;
+    for (int i = 0; i < 2 * halvings; ++i) {
+        const double third = (high - low) / 3.0;
+        if (cost(low + third) < cost(high - third))
+            high -= third;
+        else
+            low += third;
+    }
+    return {allowed(low).y, low};
+}
+
+/// Rounding of a black half is not worth a window.
+constexpr double kNegligible = 1.0e-5;
 
 }  // namespace
 
@@ -76,20 +159,28 @@ glm::vec3 evaluate_sh(const Sh9& sh, const glm::vec3& direction) {
     return sum;
 }
 
-float window_negative(Sh9& sh) {
-    // Rounding of a black half is not worth a window.
-    constexpr float least = -1.0e-5f;
-    const std::vector<glm::vec3> degrees = degrees_over_mean(sh);
-    if (least_windowed(degrees, 0.0f) >= least) return 0.0f;
-    float low = 0.0f;
-    float high = 1.0f;
-    while (least_windowed(degrees, high) < 0.0f) high *= 2.0f;
-    for (int i = 0; i < 20; ++i) {
-        const float middle = 0.5f * (low + high);
-        (least_windowed(degrees, middle) < 0.0f ? low : high) = middle;
+scene::HarmonicsWindow window_negative(Sh9& sh) {
+    scene::HarmonicsWindow out;
+    for (int c = 0; c < 3; ++c) {
+        if (!(sh[0][c] > 0.0f)) continue;
+        const Shape shape = shape_of(sh, c);
+        std::vector<glm::dvec2> met;
+        glm::dvec2 weights(1.0);
+        // Each round adds the direction that the weights so far leave most negative.
+        constexpr int rounds = 16;
+        for (int round = 0; round < rounds; ++round) {
+            const glm::dvec2 bands = shape.bands(least_direction(shape, weights));
+            const double least = 1.0 + glm::dot(weights, bands);
+            if (round == 0) out.least_over_mean[c] = static_cast<float>(least);
+            if (least >= -kNegligible) break;
+            met.push_back(bands);
+            weights = least_change(shape, met);
+        }
+        out.bands[static_cast<std::size_t>(c)] = glm::vec2(weights);
+        for (int i = 1; i < shading::kShCoefficients; ++i)
+            sh[static_cast<std::size_t>(i)][c] *= static_cast<float>(i < 4 ? weights.x : weights.y);
     }
-    for (std::size_t i = 0; i < sh.size(); ++i) sh[i] *= shading::sh_window(static_cast<int>(i), high);
-    return high;
+    return out;
 }
 
 }  // namespace candela::bake

@@ -28,18 +28,23 @@ bool ends_with_face(const std::string& stem, const std::string& face) {
     return before == '_' || before == '-' || before == '.';
 }
 
-bool is_light(const fs::path& file) {
-    return file.extension() == ".hdr" || file.extension() == ".exr";
+bool ends_with_one_of(const fs::path& file, std::initializer_list<const char*> extensions) {
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const char* e) { return file.extension() == e; });
 }
 
+/// Pictures for displays where there are none of light.
 std::vector<fs::path> light_files(const fs::path& folder) {
     std::error_code failure;
-    std::vector<fs::path> out;
+    std::vector<fs::path> out, others;
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
          entry.increment(failure)) {
-        if (is_light(entry->path())) out.push_back(entry->path());
+        if (ends_with_one_of(entry->path(), {".hdr", ".exr"})) out.push_back(entry->path());
+        if (ends_with_one_of(entry->path(), {".png", ".jpg", ".jpeg", ".webp"}))
+            others.push_back(entry->path());
     }
     if (failure) throw input_error("cannot be read: " + failure.message(), folder.string());
+    if (out.empty()) out = std::move(others);
     std::sort(out.begin(), out.end());
     return out;
 }
@@ -81,8 +86,8 @@ FaceFiles faces_of_folder(const fs::path& folder) {
         }
         if (found == 6) return out;
     }
-    throw input_error("the folder does not hold the six .hdr or .exr faces of a cube", folder.string(),
-                      std::string("names that end with ") + kHint);
+    throw input_error("the folder does not hold the six .hdr, .exr, .png or .jpg faces of a cube",
+                      folder.string(), std::string("names that end with ") + kHint);
 }
 
 }  // namespace candela::io::detail

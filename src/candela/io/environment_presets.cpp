@@ -123,20 +123,37 @@ void write_filament(StagingFolder& files, const FilteredEnvironment& e, json& me
 
 // three.js: EXRLoader with EquirectangularReflectionMapping, whose middle looks down +X (equirectUv in its
 // shaders); LightProbe holds the harmonics of the radiance, and its shader convolves with the cosine.
-void write_threejs(StagingFolder& files, const FilteredEnvironment& e, json& metadata) {
-    const CubeMap& cube = e.specular.front();
-    scene::Environment picture =
-        scene::equirect_from_cube(cube, scene::CubeSpace::direct, scene::equirect_size_of_cube(cube.size));
-    // Candela's middle looks down -Z, a quarter to the left of +X.
+scene::Environment threejs_picture(const FilteredEnvironment& e, const scene::Environment* source) {
+    scene::Environment picture;
+    double turn = 0.25;  // Candela's middle looks down -Z, a quarter to the left of +X.
+    if (source != nullptr) {
+        picture = *source;
+        const float scale = source->scale / e.nit_per_unit;
+        for (glm::vec3& texel : picture.luminance_nit) texel *= scale;
+        turn += double{source->rotation_rad} / (2.0 * M_PI);
+    } else {
+        const CubeMap& cube = e.specular.front();
+        picture = scene::equirect_from_cube(cube, scene::CubeSpace::direct,
+                                            scene::equirect_size_of_cube(cube.size));
+    }
+    // By whole texels, so that each stays what it was.
+    const double columns = std::round((turn - std::floor(turn)) * picture.width);
+    const auto first = static_cast<std::ptrdiff_t>(columns) % std::ptrdiff_t{picture.width};
     for (std::uint32_t y = 0; y < picture.height; ++y) {
         const auto row = picture.luminance_nit.begin() + std::ptrdiff_t{y} * picture.width;
-        std::rotate(row, row + picture.width / 4, row + picture.width);
+        std::rotate(row, row + first, row + picture.width);
     }
+    return picture;
+}
+
+void write_threejs(StagingFolder& files, const FilteredEnvironment& e, const scene::Environment* source,
+                   json& metadata) {
+    const scene::Environment picture = threejs_picture(e, source);
     // whiteLuminance stays 1: EXRLoader does not read it.
     write_picture(files.file("environment.exr"), picture.width, picture.height, picture.luminance_nit, 1.0f);
     json sh = json::array();
     for (int i = 0; i < 9; ++i) {
-        const glm::vec3 c = e.irradiance_sh[std::size_t(i)] / shading::sh_cosine_over_pi(i);
+        const glm::vec3 c = e.radiance_sh[std::size_t(i)];
         for (int k = 0; k < 3; ++k) sh.push_back(c[k]);
     }
     const json probe{{"metadata", {{"version", 4.6}, {"type", "Object"}, {"generator", "candela"}}},
@@ -148,8 +165,8 @@ void write_threejs(StagingFolder& files, const FilteredEnvironment& e, json& met
         {"mapping", "EquirectangularReflectionMapping"}};
     metadata["units"]["threejs"] = "Scene.environmentIntensity = nit_per_unit makes radiance cd/m^2";
     metadata["irradiance"] = {{"sh",
-                               "LightProbe.sh: 9 x RGB of the radiance, not convolved, without 1/pi; its "
-                               "intensity is nit_per_unit"}};
+                               "LightProbe.sh: 9 x RGB of the radiance, not convolved, without 1/pi, "
+                               "not windowed; its intensity is nit_per_unit"}};
     metadata["specular"].erase("levels");
     metadata["specular"].erase("roughness_mapping");
     metadata["specular"].erase("roughness_mapping_formula");

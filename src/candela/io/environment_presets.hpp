@@ -14,7 +14,7 @@ void write_candela(StagingFolder& files, const scene::FilteredEnvironment& envir
 void write_filament(StagingFolder& files, const scene::FilteredEnvironment& environment,
                     nlohmann::json& metadata);
 void write_threejs(StagingFolder& files, const scene::FilteredEnvironment& environment,
-                   nlohmann::json& metadata);
+                   const scene::Environment* source, nlohmann::json& metadata);
 void write_gltf_light(StagingFolder& files, const scene::FilteredEnvironment& environment,
                       nlohmann::json& metadata);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <limits>
 
 #include "candela/io/environment_faces.hpp"
 #include "candela/io/exr_read.hpp"
@@ -13,7 +14,10 @@
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_read_limits.hpp"
 #include "candela/io/texture_read.hpp"
+#include "candela/scene/environment_negative.hpp"
+#include "candela/scene/environment_sources.hpp"
 #include "candela/scene/error.hpp"
+#include "shading/transfer.glsl"
 
 namespace candela::io {
 namespace {
@@ -25,42 +29,85 @@ using scene::Environment;
 
 constexpr std::size_t max_environment_bytes = std::size_t{1} << 31;
 
-/// read_environment's promise about texels that are no luminance.
-void sanitize(std::vector<glm::vec3>& texels, const std::string& name, Diagnostics& diagnostics) {
-    float largest = 0.0f;
+/// What of the values that a file has is no luminance.
+struct Census {
+    std::size_t texels = 0;
+    std::size_t negative = 0;
+    std::size_t undefined = 0;
+    std::size_t infinite = 0;
     float least = 0.0f;
-    std::size_t negative = 0, undefined = 0, infinite = 0;
+};
+
+/// NaN and minus infinity become 0, infinity the largest finite value; negative ones stay.
+Census repair(std::vector<glm::vec3>& texels) {
+    Census out;
+    out.texels = texels.size();
+    float largest = 0.0f;
     for (const glm::vec3& texel : texels) {
         bool below = false, nan = false, above = false;
         for (int c = 0; c < 3; ++c) {
             if (std::isfinite(texel[c])) largest = std::max(largest, texel[c]);
-            least = std::min(least, texel[c]);
+            out.least = std::min(out.least, texel[c]);
             above = above || (std::isinf(texel[c]) && texel[c] > 0.0f);
             below = below || texel[c] < 0.0f;
             nan = nan || std::isnan(texel[c]);
         }
-        negative += below ? 1 : 0;
-        undefined += nan ? 1 : 0;
-        infinite += above ? 1 : 0;
+        out.negative += below ? 1 : 0;
+        out.undefined += nan ? 1 : 0;
+        out.infinite += above ? 1 : 0;
     }
-    const auto of_all = [&](std::size_t count) {
-        return std::to_string(count) + " of " + std::to_string(texels.size()) + " texels";
-    };
-    if (negative > 0) {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.3g", static_cast<double>(least));
-        diagnostics.warn(name + ": negative luminance became 0, in " + of_all(negative) + ", the least " +
-                         text + " cd/m2");
-    }
-    if (undefined > 0)
-        diagnostics.warn(name + ": luminance that is not a number became 0, in " + of_all(undefined));
-    if (infinite > 0)
-        diagnostics.warn(name + ": infinite luminance became the largest finite of the map, in " +
-                         of_all(infinite));
-    if (negative + undefined + infinite == 0) return;
+    if (out.negative + out.undefined + out.infinite == 0) return out;
+    constexpr float lowest = std::numeric_limits<float>::lowest();
     for (glm::vec3& texel : texels) {
-        for (int c = 0; c < 3; ++c) texel[c] = texel[c] >= 0.0f ? std::min(texel[c], largest) : 0.0f;
+        for (int c = 0; c < 3; ++c) texel[c] = texel[c] >= lowest ? std::min(texel[c], largest) : 0.0f;
     }
+    return out;
+}
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.3g", value);
+    return text;
+}
+
+/// What was done about negative values does to the light.
+std::string change_of_light(double before_lx, double after_lx) {
+    if (!(before_lx > 0.0))
+        return "the up-facing illuminance of " + short_number(before_lx) + " became " +
+               short_number(after_lx);
+    const double percent = 100.0 * (after_lx / before_lx - 1.0);
+    if (std::abs(percent) < 0.05) return "the up-facing illuminance stays within 0.05 %";
+    return "the up-facing illuminance is " + short_number(std::abs(percent)) + " % " +
+           (percent > 0.0 ? "higher" : "lower");
+}
+
+/// read_environment's promise about negative values, with all that was amiss said.
+void settle(const Census& census, NegativeTexels how, ReadEnvironment& e, Diagnostics& diagnostics) {
+    const auto of_all = [&](std::size_t count) {
+        return std::to_string(count) + " of " + std::to_string(census.texels) + " texels";
+    };
+    if (census.negative > 0) {
+        const bool spread = how == NegativeTexels::spread;
+        const double before_lx = scene::upward_illuminance_lx(e);
+        if (spread)
+            scene::spread_negative(e);
+        else
+            scene::clamp_negative(e);
+        const double after_lx = scene::upward_illuminance_lx(e);
+        const bool changed = std::abs(after_lx - before_lx) >= 5.0e-4 * std::abs(before_lx);
+        diagnostics.warn(e.name +
+                         (spread ? ": negative luminance was taken from its neighbours, in "
+                                 : ": negative luminance became 0, in ") +
+                         of_all(census.negative) + ", the least " + short_number(double{census.least}) +
+                         (e.absolute ? " cd/m2; " : "; ") + change_of_light(before_lx, after_lx) +
+                         (spread || !changed ? "" : " (--env-negative spread keeps it)"));
+    }
+    if (census.undefined > 0)
+        diagnostics.warn(e.name + ": luminance that is not a number became 0, in " +
+                         of_all(census.undefined));
+    if (census.infinite > 0)
+        diagnostics.warn(e.name + ": infinite luminance became the largest finite of the map, in " +
+                         of_all(census.infinite));
 }
 
 Environment from_cube(const CubeMap& cube, CubeSpace space) {
@@ -111,10 +158,15 @@ EnvironmentLayout layout_of(const Environment& picture, EnvironmentLayout asked,
         throw input_error("a cross is 4 x 3 or 3 x 4 square faces", where, "--env-layout");
     if (asked == EnvironmentLayout::octahedral && !square)
         throw input_error("an octahedral picture is square", where, "--env-layout");
+    if ((asked == EnvironmentLayout::angular || asked == EnvironmentLayout::mirror_ball) && !square)
+        throw input_error("an angular map and the picture of a mirror ball are square", where,
+                          "--env-layout; crop it to the circle");
     if (asked == EnvironmentLayout::automatic && is_cross(picture)) return EnvironmentLayout::cross;
     // One texel is the same light from everywhere in any layout.
     if (asked == EnvironmentLayout::automatic && square && picture.width > 1) {
-        diagnostics.warn(picture.name + ": square, so read as octahedral (--env-layout says otherwise)");
+        diagnostics.warn(
+            picture.name +
+            ": square, so read as octahedral (--env-layout angular, mirror-ball or equirect for others)");
         return EnvironmentLayout::octahedral;
     }
     if (asked != EnvironmentLayout::automatic) return asked;
@@ -126,12 +178,21 @@ EnvironmentLayout layout_of(const Environment& picture, EnvironmentLayout asked,
 
 Environment from_picture(Environment picture, const EnvironmentOptions& options, const std::string& where,
                          Diagnostics& diagnostics) {
-    switch (layout_of(picture, options.layout, where, diagnostics)) {
+    const EnvironmentLayout layout = layout_of(picture, options.layout, where, diagnostics);
+    switch (layout) {
         case EnvironmentLayout::cross:
             return from_cube(cube_of_cross(picture), options.cube_space.value_or(CubeSpace::picture));
         case EnvironmentLayout::octahedral:
             return scene::equirect_from_octahedral(picture.luminance_nit, picture.width,
                                                    scene::equirect_size_of_octahedral(picture.width));
+        case EnvironmentLayout::angular:
+        case EnvironmentLayout::mirror_ball: {
+            const auto projection = layout == EnvironmentLayout::angular
+                                        ? scene::CircleProjection::angular
+                                        : scene::CircleProjection::mirror_ball;
+            return scene::equirect_from_circle(picture.luminance_nit, picture.width, projection,
+                                               scene::equirect_size_of_circle(projection, picture.width));
+        }
         default:
             return picture;
     }
@@ -142,6 +203,7 @@ struct Read {
     Environment picture;
     bool cube = false;
     std::optional<CubeSpace> space;
+    bool absolute = false;
 };
 
 std::array<std::byte, 12> first_bytes(const fs::path& file) {
@@ -158,29 +220,67 @@ Read from_texture(detail::TextureFile texture) {
     out.picture.width = texture.width;
     out.picture.height = texture.height * texture.faces;
     out.picture.luminance_nit = std::move(texture.texels);
+    out.absolute = texture.absolute;
     out.cube = texture.faces == 6;
     out.space = texture.space;
     return out;
 }
 
-Read read_file_of(const fs::path& file, Diagnostics& diagnostics) {
+bool is_display_picture(const std::array<std::byte, 12>& magic) {
+    const auto is = [&](const char* text, std::size_t size, std::size_t at) {
+        return std::memcmp(magic.data() + at, text, size) == 0;
+    };
+    return is("\x89PNG", 4, 0) || is("\xff\xd8\xff", 3, 0) || (is("RIFF", 4, 0) && is("WEBP", 4, 8));
+}
+
+/// A photograph as light: linear, white is 1.
+Environment from_display_picture(const scene::Image& image, const std::string& name,
+                                 Diagnostics& diagnostics) {
+    std::array<float, 256> linear;
+    for (std::size_t i = 0; i < linear.size(); ++i)
+        linear[i] = shading::linear_from_srgb(static_cast<float>(i) / 255.0f);
+    Environment out;
+    out.width = image.width;
+    out.height = image.height;
+    out.luminance_nit.reserve(std::size_t{image.width} * image.height);
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+        out.luminance_nit.emplace_back(linear[image.rgba[i]], linear[image.rgba[i + 1]],
+                                       linear[image.rgba[i + 2]]);
+    diagnostics.warn(name +
+                     ": a picture for displays, 8 bits a channel: what is brighter than white is not in "
+                     "it, so a sun and lamps give too little light and no highlights");
+    return out;
+}
+
+Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagnostics& diagnostics) {
     const auto magic = first_bytes(file);
     const std::string where = file.string();
     const auto bytes = [&] { return read_file(file, max_environment_bytes); };
-    if (std::memcmp(magic.data(), "\x76\x2f\x31\x01", 4) == 0)
-        return {detail::read_exr_environment(file, diagnostics), false, {}};
+    if (std::memcmp(magic.data(), "\x76\x2f\x31\x01", 4) == 0) {
+        ReadEnvironment exr = detail::read_exr_environment(file, diagnostics, options.layer);
+        const bool absolute = exr.absolute;
+        return {std::move(exr), false, {}, absolute};
+    }
+    if (!options.layer.empty())
+        throw input_error("has no layers: it is not an OpenEXR picture", where, "leave --env-layer out");
     if (std::memcmp(magic.data(), "#?", 2) == 0)
         return {detail::decode_hdr(bytes(), where, diagnostics), false, {}};
     if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where));
     if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where));
-    throw input_error("not a Radiance .hdr, OpenEXR, KTX 2 or DDS picture", where,
+    if (is_display_picture(magic))
+        return {from_display_picture(decode_image(bytes(), where), file.filename().string(), diagnostics),
+                false,
+                {}};
+    throw input_error("not a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", where,
                       "an environment holds luminance in cd/m^2");
 }
 
-CubeMap read_faces(const detail::FaceFiles& files, const std::string& name, Diagnostics& diagnostics) {
+CubeMap read_faces(const detail::FaceFiles& files, const EnvironmentOptions& options, bool& absolute,
+                   Diagnostics& diagnostics) {
     CubeMap cube;
     for (const fs::path& file : files) {
-        Read face = read_file_of(file, diagnostics);
+        Read face = read_file_of(file, options, diagnostics);
+        absolute = face.absolute;
         const Environment& picture = face.picture;
         if (face.cube || picture.width != picture.height)
             throw input_error("a face of a cube is square", file.string());
@@ -191,7 +291,6 @@ CubeMap read_faces(const detail::FaceFiles& files, const std::string& name, Diag
         cube.size = picture.width;
         cube.texels.insert(cube.texels.end(), picture.luminance_nit.begin(), picture.luminance_nit.end());
     }
-    sanitize(cube.texels, name, diagnostics);
     return cube;
 }
 
@@ -202,6 +301,8 @@ std::optional<EnvironmentLayout> layout_by_name(const std::string& name) {
     if (name == "equirect") return EnvironmentLayout::equirect;
     if (name == "cross") return EnvironmentLayout::cross;
     if (name == "octahedral") return EnvironmentLayout::octahedral;
+    if (name == "angular") return EnvironmentLayout::angular;
+    if (name == "mirror-ball") return EnvironmentLayout::mirror_ball;
     return std::nullopt;
 }
 
@@ -211,30 +312,39 @@ std::optional<CubeSpace> cube_space_by_name(const std::string& name) {
     return std::nullopt;
 }
 
-Environment read_environment(const fs::path& file, Diagnostics& diagnostics,
-                             const EnvironmentOptions& options) {
+ReadEnvironment read_environment(const fs::path& file, Diagnostics& diagnostics,
+                                 const EnvironmentOptions& options) {
     const std::string name =
         file.filename().empty() ? file.parent_path().filename().string() : file.filename().string();
     const CubeSpace space = options.cube_space.value_or(CubeSpace::picture);
-    Environment out;
+    ReadEnvironment out;
+    Environment& picture = out;
+    Census census;
+    const auto from_faces = [&](const detail::FaceFiles& files) {
+        CubeMap cube = read_faces(files, options, out.absolute, diagnostics);
+        census = repair(cube.texels);
+        return from_cube(cube, space);
+    };
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) {
-        out = from_cube(read_faces(detail::faces_of_folder(file), name, diagnostics), space);
+        picture = from_faces(detail::faces_of_folder(file));
     } else if (detail::is_face_pattern(file) && !fs::exists(file, ignored)) {
-        out = from_cube(read_faces(detail::faces_of_pattern(file), name, diagnostics), space);
+        picture = from_faces(detail::faces_of_pattern(file));
     } else {
-        Read read = read_file_of(file, diagnostics);
-        sanitize(read.picture.luminance_nit, name, diagnostics);
+        Read read = read_file_of(file, options, diagnostics);
+        out.absolute = read.absolute;
+        census = repair(read.picture.luminance_nit);
         read.picture.name = name;
         if (read.cube) {
             const CubeMap cube{read.picture.width, std::move(read.picture.luminance_nit)};
             const CubeSpace said = read.space.value_or(CubeSpace::picture);
-            out = from_cube(cube, options.cube_space.value_or(said));
+            picture = from_cube(cube, options.cube_space.value_or(said));
         } else {
-            out = from_picture(std::move(read.picture), options, file.string(), diagnostics);
+            picture = from_picture(std::move(read.picture), options, file.string(), diagnostics);
         }
     }
     out.name = name;
+    settle(census, options.negative, out, diagnostics);
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "candela/io/environment_presets.hpp"
 #include "candela/scene/environment_resample.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/half_range.hpp"
 
 namespace candela::io {
 namespace {
@@ -96,6 +97,32 @@ json common_metadata(const scene::FilteredEnvironment& e, EnvironmentPreset pres
 
 }  // namespace detail
 
+namespace {
+
+/// The harmonics and the unit, where the source's peak asks for another one than the filtered levels.
+scene::FilteredEnvironment in_unit_of(const scene::Environment& source,
+                                      const scene::FilteredEnvironment& environment) {
+    scene::FilteredEnvironment out;
+    out.mapping = environment.mapping;
+    out.radiance_sh = environment.radiance_sh;
+    float peak = 0.0f;
+    for (const glm::vec3& t : source.luminance_nit) peak = std::max({peak, t.x, t.y, t.z});
+    out.nit_per_unit = scene::unit_for_half(peak * source.scale);
+    for (glm::vec3& c : out.radiance_sh) c *= environment.nit_per_unit / out.nit_per_unit;
+    return out;
+}
+
+std::vector<std::filesystem::path> write_with_source(detail::StagingFolder& files,
+                                                     const scene::FilteredEnvironment& environment,
+                                                     const scene::Environment& source) {
+    json metadata = detail::common_metadata(environment, EnvironmentPreset::threejs);
+    detail::write_threejs(files, environment, &source, metadata);
+    detail::write_text(files.file("environment.json"), metadata.dump(2) + "\n");
+    return files.commit();
+}
+
+}  // namespace
+
 const char* name_of(CubeFormat format) {
     return kFormatNames[static_cast<std::size_t>(format)];
 }
@@ -122,16 +149,20 @@ FilterDemand demand_of(EnvironmentPreset preset) {
 
 std::vector<std::filesystem::path> write_filtered_environment(const std::filesystem::path& folder,
                                                               const scene::FilteredEnvironment& environment,
-                                                              CubeFormat format, EnvironmentPreset preset) {
+                                                              CubeFormat format, EnvironmentPreset preset,
+                                                              const scene::Environment* source) {
     check(environment, preset, folder.string());
+    if (source != nullptr && preset != EnvironmentPreset::threejs)
+        throw std::invalid_argument("write_filtered_environment: only threejs has a picture of its source");
     detail::StagingFolder files(folder);
+    if (source != nullptr) return write_with_source(files, in_unit_of(*source, environment), *source);
     json metadata = detail::common_metadata(environment, preset);
     switch (preset) {
         case EnvironmentPreset::filament:
             detail::write_filament(files, environment, metadata);
             break;
         case EnvironmentPreset::threejs:
-            detail::write_threejs(files, environment, metadata);
+            detail::write_threejs(files, environment, nullptr, metadata);
             break;
         case EnvironmentPreset::gltf:
             detail::write_gltf_light(files, environment, metadata);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "candela/scene/cube_map.hpp"
+#include "candela/scene/scene.hpp"
 
 /// Filtered environments for other programs.
 namespace candela::io {
@@ -43,12 +44,14 @@ struct FilterDemand {
 [[nodiscard]] FilterDemand demand_of(EnvironmentPreset preset);
 
 /// Writes the cubes, the harmonics (.json, .h, .glsl) and environment.json, which says what they mean, into
-/// `folder`, which is made when it is not there. `format` is of EnvironmentPreset::candela alone. All or
-/// nothing: the files appear under their names when all are whole. Returns their names, environment.json
-/// last. Throws Error (Fault::input for a folder that cannot be had or an environment against demand_of,
-/// Fault::machine when the disk fails).
+/// `folder`, which is made when it is not there. `format` is of EnvironmentPreset::candela alone; `source`,
+/// of threejs alone, is what was filtered: written as it is, scaled and turned by whole texels, instead of
+/// level 0. All or nothing: the files appear under their names when all are whole. Returns their names,
+/// environment.json last. Throws Error (Fault::input for a folder that cannot be had or an environment
+/// against demand_of, Fault::machine when the disk fails).
 std::vector<std::filesystem::path> write_filtered_environment(const std::filesystem::path& folder,
                                                               const scene::FilteredEnvironment& environment,
-                                                              CubeFormat format, EnvironmentPreset preset);
+                                                              CubeFormat format, EnvironmentPreset preset,
+                                                              const scene::Environment* source = nullptr);
 
 }  // namespace candela::io

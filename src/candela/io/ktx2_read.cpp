@@ -90,6 +90,7 @@ std::vector<std::byte> unpacked(std::span<const std::byte> packed, std::uint64_t
 struct Keys {
     std::optional<scene::CubeSpace> space;
     float nit_per_unit = 1.0f;
+    bool absolute = false;
 };
 
 void read_key(const std::string& key, const std::string& value, const ByteReader& file, Keys& keys) {
@@ -100,6 +101,7 @@ void read_key(const std::string& key, const std::string& value, const ByteReader
     if (failure != std::errc{} || stop != end || !std::isfinite(keys.nit_per_unit) ||
         !(keys.nit_per_unit > 0.0f))
         throw file.broken("candela.nitPerUnit is not a positive number");
+    keys.absolute = true;
 }
 
 Keys read_keys(const ByteReader& file) {
@@ -142,7 +144,7 @@ TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& whe
         throw file.broken("the finest level unpacks to another size than its faces have");
     check_claim(size, stored, most_per_byte(header.packing), where);
     const Keys keys = read_keys(file);
-    TextureFile out{header.width, header.height, header.faces, {}, keys.space};
+    TextureFile out{header.width, header.height, header.faces, {}, keys.space, keys.absolute};
     out.texels.reserve(texels);
     if (header.packing == Packing::none)
         append_texels(data, header.format, out.texels);

@@ -49,7 +49,12 @@ StageEnvironment read_environment_entry(const json& value, const std::string& wh
          {"layout",
           [&](const json& v, const std::string& at) {
               e.options.layout = static_cast<EnvironmentLayout>(
-                  stage_choice(v, at, {"auto", "equirect", "cross", "octahedral"}));
+                  stage_choice(v, at, {"auto", "equirect", "cross", "octahedral", "angular", "mirror-ball"}));
+          }},
+         {"layer", [&](const json& v, const std::string& at) { e.options.layer = stage_text(v, at); }},
+         {"negative",
+          [&](const json& v, const std::string& at) {
+              e.options.negative = static_cast<NegativeTexels>(stage_choice(v, at, {"clamp", "spread"}));
           }},
          {"cube",
           [&](const json& v, const std::string& at) {
@@ -134,7 +139,7 @@ Stage load_stage(const std::filesystem::path& file) {
     return stage;
 }
 
-scene::Environment read_stage_environment(const StageEnvironment& e, Diagnostics& diagnostics) {
+ReadEnvironment read_stage_environment(const StageEnvironment& e, Diagnostics& diagnostics) {
     return read_stage_file(e.where, [&] { return read_environment(e.file, diagnostics, e.options); });
 }
 

@@ -48,7 +48,7 @@ struct Stage {
 [[nodiscard]] Stage load_stage(const std::filesystem::path& file);
 
 /// The picture of `file`. Throws Error (Fault::input) that names the stage's key too.
-[[nodiscard]] scene::Environment read_stage_environment(const StageEnvironment& environment,
-                                                        Diagnostics& diagnostics);
+[[nodiscard]] ReadEnvironment read_stage_environment(const StageEnvironment& environment,
+                                                     Diagnostics& diagnostics);
 
 }  // namespace candela::io

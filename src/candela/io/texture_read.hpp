@@ -19,6 +19,7 @@ struct TextureFile {
     std::uint32_t faces = 1;                ///< 1 or 6, and then width is height
     std::vector<glm::vec3> texels;          ///< face after face, in cd/m^2; what the file says, NaN and all
     std::optional<scene::CubeSpace> space;  ///< when the file says it
+    bool absolute = false;                  ///< the file says what a value is in cd/m^2
 };
 
 [[nodiscard]] bool is_ktx2(std::span<const std::byte> bytes) noexcept;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -41,6 +42,21 @@ enum class RoughnessMapping : std::uint8_t {
     }
 }
 
+/// What keeps nine harmonics of irradiance from being negative (bake::window_negative), by channel.
+struct HarmonicsWindow {
+    std::array<glm::vec2, 3> bands{glm::vec2(1.0f), glm::vec2(1.0f), glm::vec2(1.0f)};  ///< 1 and 2; 1: as is
+    glm::vec3 least_over_mean{0.0f};  ///< before, over all directions; 0 for a black channel
+    /// Root of the mean square of (harmonics - irradiance) over that of irradiance, all channels.
+    double error_without = 0.0;
+    double error = 0.0;
+    [[nodiscard]] bool any() const noexcept {
+        for (const glm::vec2& b : bands) {
+            if (b != glm::vec2(1.0f)) return true;
+        }
+        return false;
+    }
+};
+
 /// A distant light as others take it: filtered for glossy and matt surfaces. A value times nit_per_unit is
 /// cd/m^2.
 struct FilteredEnvironment {
@@ -50,9 +66,10 @@ struct FilteredEnvironment {
     /// Of irradiance / pi, real spherical harmonics of bands 0 to 2 in the order l (l + 1) + m, without the
     /// Condon-Shortley phase: the value in a direction is the plain sum of coefficient times basis.
     std::array<glm::vec3, 9> irradiance_sh{};
-    /// Lambda of shading/spherical_harmonics.glsl's sh_window that was applied to them, so that no direction
-    /// is negative; 0: none was.
-    float irradiance_sh_window = 0.0f;
+    HarmonicsWindow irradiance_sh_window;  ///< was applied to them
+    /// Of the radiance, in the same basis and order, never windowed: irradiance over pi is these times
+    /// shading::sh_cosine_over_pi.
+    std::array<glm::vec3, 9> radiance_sh{};
     float nit_per_unit = 1.0f;
 };
 

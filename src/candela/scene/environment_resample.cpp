@@ -130,6 +130,36 @@ glm::dvec3 octahedron_point(double x, double y) {
     return {px, py, 1.0 - px - py};
 }
 
+/// Of the angle to the middle's direction, the distance from the middle of the circle of radius 1. Debevec
+/// 1998, "Rendering Synthetic Objects into Real Scenes", and the notes to his light probes: phi = pi r for
+/// angular maps. On a mirroring sphere the normal halves the angle.
+double circle_radius(CircleProjection projection, double angle) {
+    return projection == CircleProjection::angular ? angle / M_PI : std::sin(0.5 * angle);
+}
+
+/// Solid angle over area of the circle at this distance from its middle, none beyond it: sin(angle) d(angle)
+/// / (r dr).
+double circle_density(CircleProjection projection, double r) {
+    if (r > 1.0) return 0.0;
+    if (projection == CircleProjection::mirror_ball) return 4.0;
+    return r > 1.0e-6 ? M_PI * std::sin(M_PI * r) / r : M_PI * M_PI;
+}
+
+float circle_texel_solid_angle(CircleProjection projection, std::uint32_t x, std::uint32_t y,
+                               std::uint32_t side) {
+    constexpr int steps = 8;
+    const double step = 2.0 / (double{steps} * side);
+    double sum = 0.0;
+    for (int v = 0; v < steps; ++v) {
+        for (int u = 0; u < steps; ++u) {
+            const double a = -1.0 + step * (double(steps) * x + u + 0.5);
+            const double b = -1.0 + step * (double(steps) * y + v + 0.5);
+            sum += step * step * circle_density(projection, std::hypot(a, b));
+        }
+    }
+    return static_cast<float>(sum);
+}
+
 }  // namespace
 
 PictureSize equirect_size_of_cube(std::uint32_t face_size) noexcept {
@@ -174,6 +204,34 @@ Environment equirect_from_octahedral(const std::vector<glm::vec3>& texels, std::
     return gather(source, size, [&](const glm::vec3& d) {
         const glm::vec2 e = shading::octahedral_encode(on_the_map(d));
         return std::size_t{texel_of(0.5f - 0.5f * e.y, side)} * side + texel_of(0.5f * e.x + 0.5f, side);
+    });
+}
+
+PictureSize equirect_size_of_circle(CircleProjection projection, std::uint32_t size) noexcept {
+    // Of the middle: size / 2 texels for half a turn; a mirror ball shows it 4 / pi times as large.
+    const std::uint32_t side = std::min(size, kLargestWidth);
+    return picture_of_height(projection == CircleProjection::angular ? side / 2 : side * 3 / 4);
+}
+
+Environment equirect_from_circle(const std::vector<glm::vec3>& texels, std::uint32_t side,
+                                 CircleProjection projection, PictureSize size) {
+    Source source{&texels, std::vector<float>(texels.size()), std::vector<glm::vec3>(texels.size())};
+    find_excess(source, 0, side);
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x)
+            source.solid_angles[std::size_t{y} * side + x] = circle_texel_solid_angle(projection, x, y, side);
+    }
+    // A texel on the rim has its middle outside of the circle, where pictures are black.
+    const double farthest = std::max(1.0 - 1.5 / side, 0.0);
+    const double middle = projection == CircleProjection::angular ? -1.0 : 1.0;
+    return gather(source, size, [&](const glm::vec3& d) {
+        const double across = std::hypot(double{d.x}, double{d.y});
+        const double angle = std::atan2(across, middle * double{d.z});
+        const double r = std::min(circle_radius(projection, angle), farthest);
+        const double k = across > 0.0 ? r / across : 0.0;
+        const auto u = static_cast<float>(0.5 + 0.5 * k * double{d.x});
+        const auto v = static_cast<float>(0.5 - 0.5 * k * double{d.y});
+        return std::size_t{texel_of(v, side)} * side + texel_of(u, side);
     });
 }
 

@@ -30,4 +30,18 @@ struct PictureSize {
 [[nodiscard]] Environment equirect_from_octahedral(const std::vector<glm::vec3>& texels,
                                                    std::uint32_t texels_a_side, PictureSize size);
 
+/// Pictures of all directions in the circle of a square, +Y up and +X to the right; corners show nothing.
+enum class CircleProjection : std::uint8_t {
+    /// Light probes of Debevec's: ahead (-Z) in the middle, the distance from it is the angle, behind on the
+    /// rim.
+    angular,
+    /// A mirroring sphere as a far camera shows it that looks ahead: what is behind the camera in the middle,
+    /// the distance is the sine of half the angle, ahead on the rim.
+    mirror_ball,
+};
+[[nodiscard]] PictureSize equirect_size_of_circle(CircleProjection projection, std::uint32_t size) noexcept;
+[[nodiscard]] Environment equirect_from_circle(const std::vector<glm::vec3>& texels,
+                                               std::uint32_t texels_a_side, CircleProjection projection,
+                                               PictureSize size);
+
 }  // namespace candela::scene
