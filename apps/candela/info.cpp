@@ -66,16 +66,17 @@ json scene_json(const JobOptions& options) {
         out[list] = json::array();
     const scene::Aabb bounds = scene::world_bounds(scene);
     if (!bounds.empty()) {
-        out["bounds_m"] = {{bounds.min.x, bounds.min.y, bounds.min.z},
-                           {bounds.max.x, bounds.max.y, bounds.max.z}};
+        const glm::dvec3 low = scene.frame.to_world(bounds.min), high = scene.frame.to_world(bounds.max);
+        out["bounds_m"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
     }
     for (const scene::Material& m : scene.materials) out["materials"].push_back(m.name);
     for (const scene::Light& light : scene.lights) out["lights"].push_back(light_json(light, scene));
     for (const auto& surface : realtime::emissive_surfaces(scene))
         out["emissive_surfaces"].push_back(emissive_json(surface, scene));
-    for (const auto& probe : scene.reflection_probes) out["reflection_probes"].push_back(probe_json(probe));
+    for (const auto& probe : scene.reflection_probes)
+        out["reflection_probes"].push_back(probe_json(probe, scene.frame));
     for (const auto& volume : scene.irradiance_volumes)
-        out["irradiance_volumes"].push_back(volume_json(volume));
+        out["irradiance_volumes"].push_back(volume_json(volume, scene.frame));
     for (const scene::Camera& camera : scene.cameras) out["cameras"].push_back(camera.name);
     if (scene.environment) {
         const scene::Environment& e = *scene.environment;
@@ -157,7 +158,7 @@ void add_info(CLI::App& app, Action& action) {
             refuse_without_effect(
                 *command,
                 {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible", "--env-hidden",
-                 "--env-keep-sun", "--stage", "--light-scale", "--light-units", "--time"},
+                 "--env-keep-sun", "--stage", "--light-scale", "--light-units", "--time", "--memory"},
                 "without a scene", "candela info SCENE.glb");
         action = [options] { return info(*options); };
     });

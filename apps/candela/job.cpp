@@ -10,6 +10,7 @@
 #include "candela/io/json_reader.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/scene/strokes.hpp"
+#include "candela/scene/world_scale.hpp"
 #include "option_rules.hpp"
 #include "shading/tone_curves.glsl"
 
@@ -38,8 +39,8 @@ void check_numbers(const JobOptions& o) {
     limit("--exposure-compensation", o.exposure_compensation.value_or(0.0f), -30.0f, 30.0f);
     limit("--aperture", o.aperture_f.value_or(1.0f), 0.1f, 1000.0f);
     limit("--iso", o.iso.value_or(100.0f), 1.0f, 1e7f);
-    for (const float x : o.look_from) limit("--look-from", x, -1e9f, 1e9f);
-    for (const float x : o.look_at) limit("--look-at", x, -1e9f, 1e9f);
+    for (const double x : o.look_from) limit("--look-from", static_cast<float>(x), -1e12f, 1e12f);
+    for (const double x : o.look_at) limit("--look-at", static_cast<float>(x), -1e12f, 1e12f);
 }
 
 void parse_size(const std::string& text, Job& job) {
@@ -107,7 +108,7 @@ realtime::Profile load_profile(const std::string& name) {
     return profile;
 }
 
-glm::vec3 vector_of(const std::vector<float>& v) {
+glm::dvec3 point_of(const std::vector<double>& v) {
     return {v[0], v[1], v[2]};
 }
 
@@ -127,10 +128,10 @@ scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, J
     std::optional<float> focal_mm = options.focal_mm ? options.focal_mm : stage.camera.focal_mm;
     const float yfov = scene::yfov_from_focal_mm(focal_mm.value_or(50.0f));
 
-    std::optional<glm::vec3> from = stage.camera.look_from;
-    std::optional<glm::vec3> at = stage.camera.look_at;
-    if (!options.look_from.empty()) from = vector_of(options.look_from);
-    if (!options.look_at.empty()) at = vector_of(options.look_at);
+    std::optional<glm::dvec3> from = stage.camera.look_from;
+    std::optional<glm::dvec3> at = stage.camera.look_at;
+    if (!options.look_from.empty()) from = point_of(options.look_from);
+    if (!options.look_at.empty()) at = point_of(options.look_at);
     const std::string name = !options.camera.empty() ? options.camera : stage.camera.name.value_or("");
     if (!name.empty() && options.look_from.empty()) {
         std::string known;
@@ -145,11 +146,12 @@ scene::Camera choose_camera(const JobOptions& options, const io::Stage& stage, J
         throw usage("needs a place to look from", "--look-at", "--look-from x,y,z");
     if (from) {
         const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
-        const glm::vec3 target = at.value_or(center);
-        if (glm::length(*from - target) < 1e-6f) {
+        const glm::vec3 target = at ? job.scene.frame.to_own(*at) : center;
+        const glm::vec3 eye = job.scene.frame.to_own(*from);
+        if (!(glm::length(eye - target) > 1e-6f * (glm::length(eye) + glm::length(target)))) {
             throw usage("the camera stands where it looks", "--look-from", "move one of the two points");
         }
-        return scene::look_at(*from, target, yfov);
+        return scene::look_at(eye, target, yfov);
     }
     if (!job.scene.cameras.empty()) return with_focal(job.scene.cameras.front(), focal_mm);
     if (options.focal_mm)
@@ -239,6 +241,7 @@ Job prepare(const JobOptions& options) {
     job.camera = choose_camera(options, stage, job);
     scene::widen_strokes(job.scene, job.camera, job.width, job.height, options.line_width_px);
     job.exposure = choose_exposure(options, stage);
+    scene::set_unit(job.scene, job.camera, scene::suitable_unit_m(job.scene));
     return job;
 }
 

@@ -29,8 +29,8 @@ struct JobOptions : SceneFileOptions {
     std::string size = "1280x720";
     float line_width_px = 1.0f;
     std::string camera;
-    std::vector<float> look_from;
-    std::vector<float> look_at;
+    std::vector<double> look_from;
+    std::vector<double> look_at;
     std::optional<float> focal_mm;
     std::optional<float> aperture_f;
     std::optional<std::string> shutter_s;  ///< "0.008" or "1/125"

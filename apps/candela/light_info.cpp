@@ -16,7 +16,7 @@ using scene::LightType;
 
 constexpr float kDegPerRad = 57.2957795f;
 
-json vector_json(const glm::vec3& v) {
+json vector_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -87,7 +87,7 @@ json light_json(const Light& light, const scene::Scene& scene) {
              {"color", vector_json(light.color)},
              {"direction", vector_json(light.direction)},
              {"casts_shadow", light.casts_shadow}};
-    if (!scene::is_distant(light.type)) out["position"] = vector_json(light.position);
+    if (!scene::is_distant(light.type)) out["position"] = vector_json(scene.frame.to_world(light.position));
     if (light.color_temperature_k > 0.0f) out["temperature_k"] = light.color_temperature_k;
     if (light.efficacy_lm_per_w > 0.0f) out["efficacy_lm_per_w"] = light.efficacy_lm_per_w;
     if (!scene::is_distant(light.type) && !std::isinf(light.range_m)) out["range_m"] = light.range_m;

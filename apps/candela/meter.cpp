@@ -25,11 +25,11 @@ constexpr std::uint32_t kFieldPixels = 32;
 
 struct MeterOptions {
     JobOptions job;
-    std::vector<float> at;
-    std::vector<float> normal;
+    std::vector<double> at;
+    std::vector<double> normal;
     std::vector<std::uint32_t> pixel;
-    std::vector<float> from;
-    std::vector<float> towards;
+    std::vector<double> from;
+    std::vector<double> towards;
     float field_deg = 1.0f;
     std::string mode = "path";
     std::optional<std::uint32_t> samples;
@@ -46,16 +46,16 @@ struct Reading {
     }
 };
 
-glm::vec3 vector_of(const std::vector<float>& v, const std::string& name) {
-    for (const float x : v) {
-        if (!(std::abs(x) <= 1e9f)) throw Error(Fault::usage, "out of range", name, "-1e9 to 1e9");
+glm::dvec3 vector_of(const std::vector<double>& v, const std::string& name) {
+    for (const double x : v) {
+        if (!(std::abs(x) <= 1e12)) throw Error(Fault::usage, "out of range", name, "-1e12 to 1e12");
     }
     return {v[0], v[1], v[2]};
 }
 
 glm::vec3 unit(const glm::vec3& v, const std::string& name) {
     const float length = glm::length(v);
-    if (!(length > 1e-12f)) throw Error(Fault::usage, "has no direction", name, "three numbers, not all 0");
+    if (!(length > 1e-20f)) throw Error(Fault::usage, "has no direction", name, "three numbers, not all 0");
     return v / length;
 }
 
@@ -156,14 +156,16 @@ void aim(Job& job, const MeterOptions& o, Way way) {
         if (o.mode != "path") return;
         job.camera = measure::through_pixel(job.camera, {o.pixel[0], o.pixel[1]}, {job.width, job.height});
     } else if (way == Way::spot) {
-        const glm::vec3 from = vector_of(o.from, "--from");
-        const glm::vec3 towards = vector_of(o.towards, "--towards");
+        const glm::vec3 from = job.scene.frame.to_own(vector_of(o.from, "--from"));
+        const glm::vec3 towards = job.scene.frame.to_own(vector_of(o.towards, "--towards"));
         (void)unit(towards - from, "--towards");
         job.camera = measure::point_spot_meter(from, towards, o.field_deg * shading::PI / 180.0f);
     } else {
-        const glm::vec3 normal = o.normal.empty() ? glm::vec3(0.0f, 1.0f, 0.0f)
-                                                  : unit(vector_of(o.normal, "--normal"), "--normal");
-        job.camera = measure::hold_card(job.scene, vector_of(o.at, "--at"), normal);
+        const glm::vec3 normal = o.normal.empty()
+                                     ? glm::vec3(0.0f, 1.0f, 0.0f)
+                                     : unit(glm::vec3(vector_of(o.normal, "--normal")), "--normal");
+        const glm::vec3 at = job.scene.frame.to_own(vector_of(o.at, "--at"));
+        job.camera = measure::hold_card(job.scene, at, normal);
         // The card is matt by definition, whatever the profile thinks of rough surfaces.
         job.profile.diffuse = realtime::DiffuseTechnique::lambert;
     }

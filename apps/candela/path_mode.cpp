@@ -74,9 +74,10 @@ truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
                     "--aperture N --shutter S --iso I");
     }
     truth::Lens lens;
-    lens.radius_m = truth::lens_radius_m(job.camera.yfov_rad, *job.exposure.aperture_f);
+    const auto unit_m = static_cast<float>(job.scene.frame.unit_m);
+    lens.radius_m = truth::lens_radius_m(job.camera.yfov_rad, *job.exposure.aperture_f) / unit_m;
     if (path.focus_m) {
-        lens.focus_m = *path.focus_m;
+        lens.focus_m = *path.focus_m / unit_m;
         return lens;
     }
     // Without a distance, on what stands in the middle of the picture.
@@ -245,7 +246,7 @@ void add_path_options(CLI::App& command, PathModeOptions& o) {
     command.add_flag("--depth-of-field", o.depth_of_field, "Path: blur by the camera's aperture");
     command
         .add_option("--focus-m", o.focus_m, "Path: distance in focus in m; the middle of the picture without")
-        ->check(number_in(1e-3, 1e6));
+        ->check(number_in(1e-9, 1e12));
     command.add_option("--checkpoint", o.checkpoint, "Path: file that keeps the work so far (OUTPUT.part)");
     command
         .add_option("--checkpoint-every", o.checkpoint_every_s, "Path: seconds between two of its versions")

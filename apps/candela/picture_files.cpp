@@ -45,11 +45,11 @@ std::vector<AovLayer> color_layers() {
 /// Owns the planes that the EXR writer looks at.
 class Channels {
   public:
-    void add(const std::string& name, io::PixelType type, const std::vector<glm::vec4>& texels,
-             int component) {
+    void add(const std::string& name, io::PixelType type, const std::vector<glm::vec4>& texels, int component,
+             float factor = 1.0f) {
         std::vector<float>& plane = floats_.emplace_back(texels.size());
         std::transform(texels.begin(), texels.end(), plane.begin(),
-                       [&](const glm::vec4& t) { return t[component]; });
+                       [&](const glm::vec4& t) { return t[component] * factor; });
         channels_.push_back({name, type, std::span<const float>(plane)});
     }
     void add(const ExtraLayer& layer) {
@@ -103,8 +103,10 @@ void write_exr(const std::string& file, const PictureFileOptions& options, const
     for (const AovLayer& layer : color_layers()) {
         if (!wants(options, layer.name)) continue;
         const auto& plane = still.planes.aovs[static_cast<std::size_t>(layer.aov)];
+        const auto unit_m = static_cast<float>(job.scene.frame.unit_m);
+        const float factor = layer.aov == Aov::distance ? unit_m : 1.0f;
         for (int c = 0; c < static_cast<int>(layer.channels.size()); ++c) {
-            channels.add(layer.channels[static_cast<std::size_t>(c)], layer.type, plane, c);
+            channels.add(layer.channels[static_cast<std::size_t>(c)], layer.type, plane, c, factor);
         }
     }
     if (wants(options, "object_id")) channels.add("shape_index.I", still.planes.ids, 0);

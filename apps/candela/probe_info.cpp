@@ -10,7 +10,7 @@ using nlohmann::json;
 
 constexpr double kDegPerRad = 180.0 / M_PI;
 
-json vector_json(const glm::vec3& v) {
+json vector_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -47,11 +47,11 @@ std::string name_text(const json& p) {
 
 }  // namespace
 
-json probe_json(const scene::ReflectionProbe& probe) {
+json probe_json(const scene::ReflectionProbe& probe, const scene::WorldFrame& frame) {
     json out{{"name", probe.name},
-             {"center", vector_json(probe.world[3])},
+             {"center", vector_json(frame.to_world(glm::vec3(probe.world[3])))},
              {"rotation_deg", turn_deg(probe.world)},
-             {"capture_position", vector_json(probe.capture_position())},
+             {"capture_position", vector_json(frame.to_world(probe.capture_position()))},
              {"margin_m", probe.margin_m},
              {"fade_m", probe.fade_m}};
     if (probe.shape == scene::ProbeShape::sphere)
@@ -61,9 +61,9 @@ json probe_json(const scene::ReflectionProbe& probe) {
     return out;
 }
 
-json volume_json(const scene::IrradianceVolume& volume) {
+json volume_json(const scene::IrradianceVolume& volume, const scene::WorldFrame& frame) {
     return {{"name", volume.name},
-            {"center", vector_json(volume.world[3])},
+            {"center", vector_json(frame.to_world(glm::vec3(volume.world[3])))},
             {"rotation_deg", turn_deg(volume.world)},
             {"size_m", vector_json(2.0f * volume.half_size_m)},
             {"cells", {volume.cells.x, volume.cells.y, volume.cells.z}},

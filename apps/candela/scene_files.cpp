@@ -28,6 +28,9 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
             "unitless or raw")
         ->check(CLI::IsMember({"spec", "standard", "unitless", "raw"}));
     command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
+    command.add_option_function<std::string>(
+        "--memory", [&o](const std::string& text) { o.memory = scene::memory_from_text(text, "--memory"); },
+        "Most memory that the scene may take, such as 6G (7/8 of what is free)");
 }
 
 StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostics) {
@@ -35,8 +38,8 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
     StagedScene out;
     ProgressLine line("loading " + std::filesystem::path(o.scene_file).filename().string());
-    out.scene =
-        io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units, line.steps()}, diagnostics);
+    out.scene = io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units, line.steps(), o.memory},
+                              diagnostics);
     if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
     io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
     io::place_stage_probes(out.stage.probes, out.scene);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "candela/io/gltf.hpp"
@@ -15,6 +16,7 @@ struct SceneFileOptions {
     float light_scale = 1.0f;
     io::GltfLightUnits light_units = io::GltfLightUnits::spec;
     float time_s = 0.0f;
+    std::optional<scene::MemoryBudget> memory;  ///< absent: what the machine has left
 };
 
 void add_scene_file_options(CLI::App& command, SceneFileOptions& options);

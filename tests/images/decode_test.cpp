@@ -202,3 +202,18 @@ TEST(ReadFile, MissingFoldersDevicesAndLargeFilesAreInputErrors) {
     EXPECT_EQ(large.fault(), Fault::input);
     EXPECT_STREQ(large.what(), "the file is too large: 11 bytes");
 }
+
+TEST(DecodedBytes, AreKnownFromTheHeader) {
+    const auto expect = [](const Bytes& bytes) {
+        EXPECT_EQ(io::decoded_bytes(bytes), io::decode_image(bytes, "test").rgba.size());
+    };
+    expect(encode_png({13, 7, 8, PNG_COLOR_TYPE_RGB}, gradient(13, 7, 3)));
+    expect(encode_jpeg({17, 9, 3}, gradient(17, 9, 3)));
+    expect(encode_jpeg({17, 9, 1, true, true}, gradient(17, 9, 1)));
+    expect(encode_webp(5, 6, gradient(5, 6, 4)));
+    Bytes png = encode_png({13, 7, 8, PNG_COLOR_TYPE_RGB}, gradient(13, 7, 3));
+    EXPECT_EQ(io::decoded_bytes(claim_png(png, 4096, 16384)), std::uint64_t{4} * 4096 * 16384);
+    png.resize(20);
+    EXPECT_EQ(io::decoded_bytes(png), 0u);
+    EXPECT_EQ(io::decoded_bytes({}), 0u);
+}

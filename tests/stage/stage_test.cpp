@@ -105,7 +105,7 @@ TEST(Stage, ValuesArriveInTheirUnits) {
     const io::Stage stage = io::load_stage(folder / "a.json");
     EXPECT_NEAR(stage.environment->rotation_rad, 3.14159265f, 1e-6f);
     EXPECT_EQ(stage.environment->illuminance_lx, 500.0f);
-    EXPECT_EQ(*stage.camera.look_from, glm::vec3(1, 2, 3));
+    EXPECT_EQ(*stage.camera.look_from, glm::dvec3(1, 2, 3));
     EXPECT_EQ(stage.exposure.iso, 200.0f);
     EXPECT_FALSE(stage.exposure.automatic());
 }

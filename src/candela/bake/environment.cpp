@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 
 #include "candela/bake/filter_octahedral.hpp"
 #include "candela/bake/octahedral_map.hpp"
@@ -88,12 +90,45 @@ gpu::Image upload_specular(const gpu::Device& device, gpu::Commands& commands,
     return upload_levels(device, commands, 2 * maps.front().size, maps.front().size, levels);
 }
 
+/// A picture of more texels is stored with a shared exponent, 4 bytes a texel instead of 16: relative steps
+/// of 2^-9, as its file mostly has.
+constexpr std::size_t kLargePicture = std::size_t{1} << 25;
+constexpr std::size_t kStagingBytes = std::size_t{1} << 26;
+
+/// Row by row through a small staging buffer: a picture of 16384 texels takes gigabytes in any second copy.
+template <class Texel, class Convert>
+gpu::Image upload_rows(const gpu::Device& device, gpu::Commands& commands, const scene::Environment& e,
+                       VkFormat format, const Convert& convert) {
+    const std::size_t row_bytes = e.width * sizeof(Texel);
+    const auto rows = static_cast<std::uint32_t>(
+        std::min<std::size_t>(std::max<std::size_t>(kStagingBytes / row_bytes, 1), e.height));
+    gpu::Buffer staging(device, rows * row_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
+    gpu::Image image(device, {e.width, e.height, format, VK_IMAGE_USAGE_SAMPLED_BIT, 1});
+    for (std::uint32_t first = 0; first < e.height; first += rows) {
+        const std::uint32_t count = std::min(rows, e.height - first);
+        const glm::vec3* from = e.luminance_nit.data() + std::size_t{first} * e.width;
+        for (std::size_t i = 0; i < std::size_t{count} * e.width; ++i) {
+            const Texel texel = convert(from[i]);
+            std::memcpy(staging.mapped() + i * sizeof(Texel), &texel, sizeof(Texel));
+        }
+        commands.begin();
+        commands.copy_rows(staging, image, first, count);
+        if (first + count == e.height) commands.use(image, gpu::Use::sampled);
+        commands.submit_and_wait();
+    }
+    return image;
+}
+
 gpu::Image upload_background(const gpu::Device& device, gpu::Commands& commands, const scene::Environment& e,
                              float units_per_nit) {
-    std::vector<glm::vec4> texels(e.luminance_nit.size());
-    std::transform(e.luminance_nit.begin(), e.luminance_nit.end(), texels.begin(),
-                   [&](const glm::vec3& t) { return glm::vec4(t * units_per_nit, 1.0f); });
-    return upload_levels(device, commands, e.width, e.height, {texels});
+    if (e.luminance_nit.size() <= kLargePicture) {
+        return upload_rows<glm::vec4>(device, commands, e, kFloat4,
+                                      [&](const glm::vec3& t) { return glm::vec4(t * units_per_nit, 1.0f); });
+    }
+    return upload_rows<std::uint32_t>(
+        device, commands, e, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, [&](const glm::vec3& t) {
+            return glm::packF3x9_E1x5(glm::clamp(t * units_per_nit, glm::vec3(0.0f), glm::vec3(65408.0f)));
+        });
 }
 
 /// Smooth levels are large and narrow: few samples; rough ones small and wide.

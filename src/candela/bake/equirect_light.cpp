@@ -26,24 +26,32 @@ float luminance(const glm::vec4& texel) {
 /// Of the map that peaks are looked for in.
 constexpr std::uint32_t kPeakMapWidth = 2048;
 
+/// Two texels each way become one; texel(x, y) is of a map of twice the size of `to`, which comes without
+/// texels.
+template <class Texel>
+void halve_into(EquirectLight& to, const Texel& texel) {
+    to.texels.resize(std::size_t{to.width} * to.height);
+    tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
+        const std::uint32_t width = 2 * to.width, height = 2 * to.height;
+        const float upper = shading::equirect_texel_solid_angle(2 * y, width, height);
+        const float lower = shading::equirect_texel_solid_angle(2 * y + 1, width, height);
+        glm::vec4* out = to.texels.data() + std::size_t{y} * to.width;
+        for (std::uint32_t x = 0; x < to.width; ++x) {
+            out[x] = ((texel(2 * x, 2 * y) + texel(2 * x + 1, 2 * y)) * upper +
+                      (texel(2 * x, 2 * y + 1) + texel(2 * x + 1, 2 * y + 1)) * lower) /
+                     (2.0f * (upper + lower));
+        }
+    });
+}
+
 EquirectLight halve(const EquirectLight& from) {
     EquirectLight to;
     to.width = from.width / 2;
     to.height = from.height / 2;
     to.rotation_rad = from.rotation_rad;
     to.peaks = from.peaks;
-    to.texels.resize(std::size_t{to.width} * to.height);
-    tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
-        const float upper = texel_solid_angle(from, 2 * y);
-        const float lower = texel_solid_angle(from, 2 * y + 1);
-        const glm::vec4* a = from.texels.data() + std::size_t{2} * y * from.width;
-        const glm::vec4* b = a + from.width;
-        glm::vec4* out = to.texels.data() + std::size_t{y} * to.width;
-        for (std::uint32_t x = 0; x < to.width; ++x) {
-            out[x] = ((a[2 * x] + a[2 * x + 1]) * upper + (b[2 * x] + b[2 * x + 1]) * lower) /
-                     (2.0f * (upper + lower));
-        }
-    });
+    halve_into(
+        to, [&](std::uint32_t x, std::uint32_t y) { return from.texels[std::size_t{y} * from.width + x]; });
     return to;
 }
 
@@ -158,14 +166,28 @@ EquirectLight equirect_light(const scene::Environment& environment, float scale,
     light.width = environment.width;
     light.height = environment.height;
     light.rotation_rad = environment.rotation_rad;
-    light.texels.resize(environment.luminance_nit.size());
-    std::transform(environment.luminance_nit.begin(), environment.luminance_nit.end(), light.texels.begin(),
-                   [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
-    const auto halve_to = [&light](std::uint32_t width) {
-        while (light.width > width && light.width % 2 == 0 && light.height % 2 == 0) light = halve(light);
+    const auto halves = [&light](std::uint32_t width) {
+        return light.width > width && light.width % 2 == 0 && light.height % 2 == 0;
+    };
+    const auto halve_to = [&](std::uint32_t width) {
+        while (halves(width)) light = halve(light);
+    };
+    const auto scaled = [&](std::uint32_t x, std::uint32_t y) {
+        return glm::vec4(environment.luminance_nit[std::size_t{y} * environment.width + x] * scale, 0.0f);
     };
     // Peaks where they are, however small the map is made.
-    halve_to(std::max(largest_width, kPeakMapWidth));
+    const std::uint32_t peak_width = std::max(largest_width, kPeakMapWidth);
+    if (halves(peak_width)) {
+        // At once, so that a large picture is not copied at its full size.
+        light.width /= 2;
+        light.height /= 2;
+        halve_into(light, scaled);
+    } else {
+        light.texels.resize(environment.luminance_nit.size());
+        std::transform(environment.luminance_nit.begin(), environment.luminance_nit.end(),
+                       light.texels.begin(), [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
+    }
+    halve_to(peak_width);
     take_peaks(light);
     halve_to(largest_width);
     light.lowest = light.highest = light.texels.front();

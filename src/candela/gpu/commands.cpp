@@ -298,6 +298,17 @@ void Commands::copy(Buffer& from, Image& to, std::uint32_t level, VkDeviceSize f
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
+void Commands::copy_rows(Buffer& from, Image& to, std::uint32_t first, std::uint32_t rows,
+                         VkDeviceSize from_offset) {
+    use(from, Use::transfer_source);
+    use(to, Use::transfer_destination);
+    VkBufferImageCopy region = region_of(to, 0, from_offset);
+    region.imageOffset.y = static_cast<std::int32_t>(first);
+    region.imageExtent.height = rows;
+    device_->vk.vkCmdCopyBufferToImage(buffer_, from.handle(), to.handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 void Commands::copy(Image& from, Buffer& to, std::uint32_t level) {
     use(from, Use::transfer_source);
     use(to, Use::transfer_destination);

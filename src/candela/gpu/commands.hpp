@@ -60,6 +60,9 @@ class Commands {
 
     void copy(Buffer& from, Buffer& to, VkDeviceSize bytes, VkDeviceSize from_offset = 0);
     void copy(Buffer& from, Image& to, std::uint32_t level = 0, VkDeviceSize from_offset = 0);
+    /// Rows [first, first + rows) of level 0, tightly packed from `from_offset` on.
+    void copy_rows(Buffer& from, Image& to, std::uint32_t first, std::uint32_t rows,
+                   VkDeviceSize from_offset = 0);
     void copy(Image& from, Buffer& to, std::uint32_t level = 0);
     /// Copies one mip level between images of the same size and format.
     void copy_level(Image& from, Image& to, std::uint32_t level);

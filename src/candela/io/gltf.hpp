@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "candela/scene/diagnostics.hpp"
+#include "candela/scene/memory_budget.hpp"
 #include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
@@ -23,7 +25,8 @@ struct GltfOptions {
         0.0f;  ///< animations, skins and morph targets are evaluated here; channels clamp at their ends
     float light_scale = 1.0f;  ///< multiplies every light of the file
     GltfLightUnits light_units = GltfLightUnits::spec;
-    StepFunction progress;  ///< from any thread, one at a time
+    StepFunction progress;                      ///< from any thread, one at a time
+    std::optional<scene::MemoryBudget> memory;  ///< absent: what the machine has left
 };
 
 /// Reads .gltf or .glb (told apart by content) with everything it refers to inside its own folder; poses it

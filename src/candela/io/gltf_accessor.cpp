@@ -12,6 +12,8 @@ namespace {
 /// An accessor without data (or sparse over zeros) takes no bytes of the file; this bounds what it may ask
 /// for.
 constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 26;
+constexpr std::size_t kMaxCachedAccessors = 256;
+constexpr std::size_t kMaxCachedBytes = std::size_t{1} << 28;
 
 enum ComponentType : std::uint64_t {
     byte = 5120,
@@ -232,36 +234,56 @@ std::vector<std::uint32_t> read_indices(const GltfDocument& document, std::uint3
     return values;
 }
 
+std::shared_ptr<const AccessorData> AccessorCache::read(std::uint32_t index) {
+    const auto found =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.index == index; });
+    if (found != entries_.end()) {
+        std::rotate(entries_.begin(), found, found + 1);
+        return entries_.front().data;
+    }
+    auto data = std::make_shared<const AccessorData>(read_accessor(*document_, index));
+    bytes_ += data->values.size() * sizeof(float);
+    entries_.push_front({index, data});
+    while (entries_.size() > kMaxCachedAccessors || (bytes_ > kMaxCachedBytes && entries_.size() > 1)) {
+        bytes_ -= entries_.back().data->values.size() * sizeof(float);
+        entries_.pop_back();
+    }
+    return data;
+}
+
 namespace {
+
 void expect_components(const AccessorData& data, std::size_t least, std::size_t most,
                        const std::string& where) {
     if (data.components < least || data.components > most)
         throw input_error("its accessor has the wrong type", where);
 }
+
+template <class Vec, class Make>
+std::vector<Vec> gather(const AccessorData& data, AccessorRows rows, const Make& make) {
+    std::vector<Vec> out(rows.empty() ? data.count : rows.size());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = make(data.row(rows.empty() ? i : rows[i]));
+    return out;
+}
+
 }  // namespace
 
-std::vector<glm::vec2> as_vec2(const AccessorData& data, const std::string& where) {
+std::vector<glm::vec2> as_vec2(const AccessorData& data, const std::string& where, AccessorRows rows) {
     expect_components(data, 2, 2, where);
-    std::vector<glm::vec2> out(data.count);
-    for (std::size_t i = 0; i < data.count; ++i) out[i] = {data.row(i)[0], data.row(i)[1]};
-    return out;
+    return gather<glm::vec2>(data, rows, [](const float* r) { return glm::vec2(r[0], r[1]); });
 }
 
-std::vector<glm::vec3> as_vec3(const AccessorData& data, const std::string& where) {
+std::vector<glm::vec3> as_vec3(const AccessorData& data, const std::string& where, AccessorRows rows) {
     expect_components(data, 3, 3, where);
-    std::vector<glm::vec3> out(data.count);
-    for (std::size_t i = 0; i < data.count; ++i) out[i] = {data.row(i)[0], data.row(i)[1], data.row(i)[2]};
-    return out;
+    return gather<glm::vec3>(data, rows, [](const float* r) { return glm::vec3(r[0], r[1], r[2]); });
 }
 
-std::vector<glm::vec4> as_vec4(const AccessorData& data, const std::string& where, float w) {
+std::vector<glm::vec4> as_vec4(const AccessorData& data, const std::string& where, float w,
+                               AccessorRows rows) {
     expect_components(data, 3, 4, where);
-    std::vector<glm::vec4> out(data.count);
-    for (std::size_t i = 0; i < data.count; ++i) {
-        const float* r = data.row(i);
-        out[i] = {r[0], r[1], r[2], data.components == 4 ? r[3] : w};
-    }
-    return out;
+    const bool four = data.components == 4;
+    return gather<glm::vec4>(data, rows,
+                             [&](const float* r) { return glm::vec4(r[0], r[1], r[2], four ? r[3] : w); });
 }
 
 std::vector<glm::mat4> as_mat4(const AccessorData& data, const std::string& where) {

@@ -14,11 +14,11 @@
 namespace candela::io {
 namespace {
 
-constexpr std::size_t kMaxBufferBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxBufferBytes = (std::size_t{1} << 32) - 1;
 /// What a scene may take before its files have to justify it, and how much each byte of them justifies: a
 /// normalized byte becomes a float, vertices are shared by primitives and split at seams.
-constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 28;
-constexpr std::uint64_t kBytesPerFileByte = 32;
+constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kBytesPerFileByte = 64;
 constexpr std::uint32_t kGlbMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinaryChunk = 0x004e4942;
@@ -94,8 +94,8 @@ std::vector<std::byte> decode_base64(std::string_view text, const std::string& w
 }  // namespace
 
 GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
-                           std::optional<std::filesystem::path> folder)
-    : name_(std::move(name)), folder_(std::move(folder)) {
+                           std::optional<std::filesystem::path> folder, const scene::MemoryBudget& memory)
+    : name_(std::move(name)), folder_(std::move(folder)), memory_(memory) {
     Chunks chunks{bytes, {}};
     if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
     if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic)
@@ -138,11 +138,11 @@ void GltfDocument::load_buffers(std::span<const std::byte> binary_chunk) {
         const std::uint64_t length = buffer["byteLength"].unsigned_or(0);
         const JsonView uri = buffer["uri"];
         const bool fallback = buffer["extensions"]["EXT_meshopt_compression"]["fallback"].bool_or(false);
-        std::vector<std::byte> bytes;
+        std::span<const std::byte> bytes;
         if (uri.exists()) {
-            bytes = read_uri(uri.string_or(""), uri.where());
+            bytes = owned_.emplace_back(read_uri(uri.string_or(""), uri.where()));
         } else if (i == 0 && !binary_chunk.empty()) {
-            bytes.assign(binary_chunk.begin(), binary_chunk.end());
+            bytes = binary_chunk;
         } else if (!fallback && length > 0) {
             buffer.fail("a buffer without data", "it needs a uri, or the .glb's binary chunk");
         }
@@ -151,9 +151,8 @@ void GltfDocument::load_buffers(std::span<const std::byte> binary_chunk) {
                                       std::to_string(bytes.size()));
         }
         file_bytes_ += bytes.size();
-        if (file_bytes_ > 4 * std::uint64_t{kMaxBufferBytes})
-            buffer.fail("the buffers hold more than 4 GiB together");
-        buffers_.push_back(std::move(bytes));
+        reserve(bytes.size(), buffer);
+        buffers_.push_back(bytes);
     }
 }
 
@@ -164,18 +163,24 @@ void GltfDocument::charge(std::uint64_t bytes, const JsonView& where) const {
                    " bytes can need");
     }
     charged_bytes_ += bytes;
+    reserve(bytes, where);
+}
+
+void GltfDocument::reserve(std::uint64_t bytes, const JsonView& where) const {
+    memory_.require(reserved_bytes_ + bytes, "the scene takes", where.where());
+    reserved_bytes_ += bytes;
 }
 
 std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
     const std::uint32_t buffer = view["buffer"].required_index_below(buffers_.size());
     const std::uint64_t offset = view["byteOffset"].unsigned_or(0);
     const std::uint64_t length = view["byteLength"].unsigned_or(0);
-    const std::vector<std::byte>& bytes = buffers_[buffer];
+    const std::span<const std::byte> bytes = buffers_[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset) {
         view.fail("passes the end of its buffer: " + std::to_string(offset) + " + " + std::to_string(length) +
                   " of " + std::to_string(bytes.size()) + " bytes");
     }
-    return std::span(bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+    return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 
 std::span<const std::byte> GltfDocument::buffer_view(std::uint32_t index) const {

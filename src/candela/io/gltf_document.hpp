@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "candela/scene/diagnostics.hpp"
+#include "candela/scene/memory_budget.hpp"
 
 namespace candela::io {
 
@@ -43,6 +45,7 @@ class JsonView {
     [[nodiscard]] std::uint32_t required_index_below(std::size_t count) const;
     /// Exactly N finite numbers into `out`; false when absent.
     bool floats(std::span<float> out) const;
+    bool doubles(std::span<double> out) const;
 
     [[noreturn]] void fail(const std::string& what, const std::string& hint = {}) const;
 
@@ -54,9 +57,11 @@ class JsonView {
 /// A parsed .gltf or .glb with its buffers in memory.
 class GltfDocument {
   public:
-    /// `folder`: where external buffers are looked for; nullopt makes every external URI an error.
+    /// `folder`: where external buffers are looked for; nullopt makes every external URI an error. The bytes
+    /// must outlive the document: a .glb's buffer stays among them.
     GltfDocument(std::span<const std::byte> bytes, std::string name,
-                 std::optional<std::filesystem::path> folder);
+                 std::optional<std::filesystem::path> folder,
+                 const scene::MemoryBudget& memory = scene::available_memory());
 
     [[nodiscard]] JsonView root() const { return {&json_, name_ + ": "}; }
     [[nodiscard]] JsonView array(const char* key) const { return root()[key]; }
@@ -72,6 +77,9 @@ class GltfDocument {
     /// What may be referred to again and again (accessors, meshes) must not turn a small file into a large
     /// scene.
     void charge(std::uint64_t bytes, const JsonView& where) const;
+    /// Counts bytes that nothing but the machine's memory bounds, such as decoded images; throws Error when
+    /// the scene then takes more than the budget.
+    void reserve(std::uint64_t bytes, const JsonView& where) const;
 
     /// byteStride of a view, 0 when tightly packed.
     [[nodiscard]] std::size_t buffer_view_stride(std::uint32_t index) const;
@@ -87,10 +95,13 @@ class GltfDocument {
     std::string name_;
     std::optional<std::filesystem::path> folder_;
     json json_;
-    std::vector<std::vector<std::byte>> buffers_;
+    std::vector<std::span<const std::byte>> buffers_;
+    std::deque<std::vector<std::byte>> owned_;  ///< of those that are not a part of the file
     mutable std::vector<std::optional<std::vector<std::byte>>> decompressed_;
     std::uint64_t file_bytes_ = 0;
     mutable std::uint64_t charged_bytes_ = 0;
+    scene::MemoryBudget memory_;
+    mutable std::uint64_t reserved_bytes_ = 0;
 };
 
 }  // namespace candela::io

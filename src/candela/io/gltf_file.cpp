@@ -72,6 +72,20 @@ json to_json(const glm::mat4& m) {
     return out;
 }
 
+json to_json(const glm::dmat4& m) {
+    json out = json::array();
+    for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 4; ++r) {
+            const auto single = static_cast<float>(m[c][r]);
+            if (static_cast<double>(single) == m[c][r])
+                out.push_back(single);
+            else
+                out.push_back(m[c][r]);
+        }
+    }
+    return out;
+}
+
 GltfFile::GltfFile(const std::string& generator) {
     document["asset"] = {{"version", "2.0"}, {"generator", generator}};
     document["scene"] = 0;

@@ -43,5 +43,7 @@ class GltfFile {
 
 [[nodiscard]] nlohmann::json to_json(const glm::vec3& v);
 [[nodiscard]] nlohmann::json to_json(const glm::mat4& m);
+/// The shortest numbers that are exact in single precision where the double is.
+[[nodiscard]] nlohmann::json to_json(const glm::dmat4& m);
 
 }  // namespace candela::io

@@ -10,8 +10,6 @@
 namespace candela::io {
 namespace {
 
-constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{1} << 30;
-
 scene::Sampler read_sampler(const JsonView& sampler) {
     scene::Sampler out;
     if (!sampler.exists()) return out;
@@ -113,13 +111,13 @@ void read_images(const GltfDocument& document, const StepFunction& progress, sce
     const std::set<std::uint32_t> used = used_images(scene);
     const std::vector<std::uint32_t> work(used.begin(), used.end());
     // Compressed buffer views are decoded on demand into a shared cache: before the threads start.
+    // What they decode to is known from their headers, before minutes go into decoding them.
     for (const std::uint32_t i : work) {
-        const JsonView view = document.element("images", i)["bufferView"];
-        if (const auto index = view.index_below(document.count("bufferViews")))
-            (void)document.buffer_view(*index);
+        const JsonView image = document.element("images", i);
+        if (const auto index = image["bufferView"].index_below(document.count("bufferViews")))
+            document.reserve(decoded_bytes(document.buffer_view(*index)), document.array("images"));
     }
     std::atomic<std::size_t> next = 0;
-    std::atomic<std::uint64_t> decoded_bytes = 0;
     std::mutex mutex;
     std::size_t decoded = 0;
     std::exception_ptr first_error;
@@ -127,14 +125,11 @@ void read_images(const GltfDocument& document, const StepFunction& progress, sce
     const auto decode = [&] {
         for (std::size_t i = next++; i < work.size(); i = next++) {
             try {
-                scene::Image image = load_image(document, work[i]);
-                if ((decoded_bytes += image.rgba.size()) > kMaxDecodedBytes) {
-                    document.array("images").fail("decode to more than 1 GiB");
-                }
-                scene.images[work[i]] = std::move(image);
-                if (!progress) continue;
+                scene.images[work[i]] = load_image(document, work[i]);
                 const std::lock_guard lock(mutex);
-                progress("textures", double(++decoded) / double(work.size()));
+                if (document.element("images", work[i])["uri"].exists())
+                    document.reserve(scene.images[work[i]].rgba.size(), document.array("images"));
+                if (progress) progress("textures", double(++decoded) / double(work.size()));
             } catch (...) {
                 // The first in the file's order is reported, whichever thread met it.
                 const std::lock_guard lock(mutex);

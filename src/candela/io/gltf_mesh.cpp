@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint64_t kPoints = 0;
 constexpr std::uint64_t kLineLoop = 2;
 constexpr std::uint64_t kLineStrip = 3;
+/// Positions, normals, one set of uv: what most vertices hold.
+constexpr std::uint64_t kVertexBytes = 32;
 constexpr std::uint64_t kTriangles = 4;
 constexpr std::uint64_t kTriangleStrip = 5;
 constexpr std::uint64_t kTriangleFan = 6;
@@ -20,37 +22,45 @@ constexpr std::uint64_t kTriangleFan = 6;
 /// Where a primitive's attributes come from: accessors, or Draco.
 class Attributes {
   public:
-    Attributes(const GltfDocument& document, const JsonView& primitive)
-        : document_(document), attributes_(primitive["attributes"]) {
+    Attributes(const GltfDocument& document, AccessorCache& accessors, const JsonView& primitive)
+        : document_(document), accessors_(accessors), attributes_(primitive["attributes"]) {
         const JsonView draco = primitive["extensions"]["KHR_draco_mesh_compression"];
         if (draco.exists()) draco_ = decode_draco(document, draco);
     }
 
-    [[nodiscard]] std::optional<AccessorData> read(const char* name) const {
+    /// Null where there is none.
+    [[nodiscard]] std::shared_ptr<const AccessorData> read(const char* name) const {
         if (draco_) {
             if (const DracoAttribute* a = draco_->find(name)) {
-                return AccessorData{draco_->vertices, a->components, false, a->values};
+                return std::make_shared<const AccessorData>(
+                    AccessorData{draco_->vertices, a->components, false, a->values});
             }
         }
         const auto index = attributes_[name].index_below(document_.count("accessors"));
-        if (!index) return std::nullopt;
-        return read_accessor(document_, *index);
+        return index ? accessors_.read(*index) : nullptr;
     }
     [[nodiscard]] std::string where(const char* name) const { return attributes_.where() + "/" + name; }
     [[nodiscard]] const std::optional<DracoGeometry>& draco() const { return draco_; }
 
   private:
     const GltfDocument& document_;
+    AccessorCache& accessors_;
     JsonView attributes_;
     std::optional<DracoGeometry> draco_;
 };
 
-template <class T>
-void expect_count(const std::vector<T>& values, std::size_t count, const std::string& where) {
-    if (values.size() != count) {
-        throw input_error(
-            "has " + std::to_string(values.size()) + " elements for " + std::to_string(count) + " vertices",
-            where);
+/// The vertices of a primitive: how many its accessors have, and which of them its triangles use.
+struct Vertices {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> used;  ///< in ascending order; empty: all
+    [[nodiscard]] std::size_t size() const { return used.empty() ? count : used.size(); }
+};
+
+void expect_count(const AccessorData& data, const Vertices& vertices, const std::string& where) {
+    if (data.count != vertices.count) {
+        throw input_error("has " + std::to_string(data.count) + " elements for " +
+                              std::to_string(vertices.count) + " vertices",
+                          where);
     }
 }
 
@@ -91,41 +101,66 @@ std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& in, std::ui
     return out;
 }
 
-void read_indices_of(const GltfDocument& document, const JsonView& source, const Attributes& attributes,
-                     std::uint64_t mode, scene::Primitive& p) {
-    std::vector<std::uint32_t> raw;
+std::vector<std::uint32_t> read_triangles(const GltfDocument& document, const JsonView& source,
+                                          const Attributes& attributes, std::uint64_t mode,
+                                          std::size_t vertices) {
     if (attributes.draco()) {
-        p.indices = attributes.draco()->indices;
-        if (!p.indices.empty() && *std::max_element(p.indices.begin(), p.indices.end()) >= p.positions.size())
+        std::vector<std::uint32_t> indices = attributes.draco()->indices;
+        if (!indices.empty() && *std::max_element(indices.begin(), indices.end()) >= vertices)
             source.fail("its Draco triangles refer to vertices that its positions lack");
-        return;
+        return indices;
     }
+    std::vector<std::uint32_t> raw;
     if (const auto index = source["indices"].index_below(document.count("accessors"))) {
         raw = read_indices(document, *index);
     } else {
-        raw.resize(p.positions.size());
+        raw.resize(vertices);
         for (std::uint32_t i = 0; i < raw.size(); ++i) raw[i] = i;
     }
     for (const std::uint32_t i : raw) {
-        if (i >= p.positions.size()) {
+        if (i >= vertices) {
             source["indices"].fail("vertex " + std::to_string(i) + " is out of range: there are " +
-                                   std::to_string(p.positions.size()));
+                                   std::to_string(vertices));
         }
     }
-    p.indices = as_list(raw, mode);
+    return as_list(raw, mode);
 }
 
-void read_skin(const Attributes& attributes, std::size_t vertices, SourcePrimitive& out,
+/// Which of the vertices the indices use; the indices then count among those. Exporters let hundreds of
+/// primitives share one long list of vertices.
+std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::size_t vertices) {
+    std::vector<std::uint32_t> used;
+    if (indices.size() < vertices / 8) {
+        used = indices;
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        for (std::uint32_t& i : indices)
+            i = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
+        return used;
+    }
+    std::vector<std::uint32_t> place(vertices, 0);
+    for (const std::uint32_t i : indices) place[i] = 1;
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+        if (place[i] == 0) continue;
+        place[i] = static_cast<std::uint32_t>(used.size());
+        used.push_back(i);
+    }
+    if (used.size() == vertices) return {};
+    for (std::uint32_t& i : indices) i = place[i];
+    return used;
+}
+
+void read_skin(const Attributes& attributes, const Vertices& vertices, SourcePrimitive& out,
                Diagnostics& diagnostics) {
     const auto joints = attributes.read("JOINTS_0");
     const auto weights = attributes.read("WEIGHTS_0");
     if (!joints || !weights) return;
     if (attributes.read("JOINTS_1"))
         diagnostics.warn("more than four joints a vertex: the first four are used");
-    const std::vector<glm::vec4> j = as_vec4(*joints, attributes.where("JOINTS_0"), 0.0f);
-    out.weights = as_vec4(*weights, attributes.where("WEIGHTS_0"), 0.0f);
-    expect_count(j, vertices, attributes.where("JOINTS_0"));
-    expect_count(out.weights, vertices, attributes.where("WEIGHTS_0"));
+    expect_count(*joints, vertices, attributes.where("JOINTS_0"));
+    expect_count(*weights, vertices, attributes.where("WEIGHTS_0"));
+    const std::vector<glm::vec4> j = as_vec4(*joints, attributes.where("JOINTS_0"), 0.0f, vertices.used);
+    out.weights = as_vec4(*weights, attributes.where("WEIGHTS_0"), 0.0f, vertices.used);
     for (const glm::vec4& v : j) {
         std::array<std::uint32_t, 4> four{};
         for (int c = 0; c < 4; ++c)
@@ -140,8 +175,8 @@ void read_skin(const Attributes& attributes, std::size_t vertices, SourcePrimiti
     }
 }
 
-void read_targets(const GltfDocument& document, const JsonView& source, std::size_t vertices,
-                  SourcePrimitive& out) {
+void read_targets(const GltfDocument& document, AccessorCache& accessors, const JsonView& source,
+                  const Vertices& vertices, SourcePrimitive& out) {
     const JsonView targets = source["targets"];
     for (std::size_t t = 0; t < targets.size(); ++t) {
         SourcePrimitive::MorphTarget target;
@@ -149,8 +184,9 @@ void read_targets(const GltfDocument& document, const JsonView& source, std::siz
         const auto read = [&](const char* name, std::vector<glm::vec3>& to) {
             const auto index = attributes[name].index_below(document.count("accessors"));
             if (!index) return;
-            to = as_vec3(read_accessor(document, *index), attributes.where() + "/" + name);
-            expect_count(to, vertices, attributes.where() + "/" + name);
+            const auto data = accessors.read(*index);
+            expect_count(*data, vertices, attributes.where() + "/" + name);
+            to = as_vec3(*data, attributes.where() + "/" + name, vertices.used);
         };
         read("POSITION", target.positions);
         read("NORMAL", target.normals);
@@ -159,11 +195,12 @@ void read_targets(const GltfDocument& document, const JsonView& source, std::siz
     }
 }
 
-void read_attributes(const Attributes& attributes, scene::Primitive& p, SourcePrimitive& out) {
-    const std::size_t vertices = p.positions.size();
+void read_attributes(const Attributes& attributes, const Vertices& vertices, scene::Primitive& p,
+                     SourcePrimitive& out) {
+    const auto& rows = vertices.used;
     if (const auto normals = attributes.read("NORMAL")) {
-        p.normals = as_vec3(*normals, attributes.where("NORMAL"));
-        expect_count(p.normals, vertices, attributes.where("NORMAL"));
+        expect_count(*normals, vertices, attributes.where("NORMAL"));
+        p.normals = as_vec3(*normals, attributes.where("NORMAL"), rows);
         for (glm::vec3& n : p.normals) {
             const float length = glm::length(n);
             n = length > 0.0f && std::isfinite(length) ? n / length : glm::vec3(0, 0, 1);
@@ -171,23 +208,23 @@ void read_attributes(const Attributes& attributes, scene::Primitive& p, SourcePr
         out.had_normals = true;
     }
     if (const auto tangents = attributes.read("TANGENT"); tangents && out.had_normals) {
-        p.tangents = as_vec4(*tangents, attributes.where("TANGENT"), 1.0f);
-        expect_count(p.tangents, vertices, attributes.where("TANGENT"));
+        expect_count(*tangents, vertices, attributes.where("TANGENT"));
+        p.tangents = as_vec4(*tangents, attributes.where("TANGENT"), 1.0f, rows);
         if (!all_finite(p.tangents)) p.tangents.clear();
     }
     for (std::size_t set = 0; set < p.uv.size(); ++set) {
         const std::string name = "TEXCOORD_" + std::to_string(set);
         if (const auto uv = attributes.read(name.c_str())) {
-            p.uv[set] = as_vec2(*uv, attributes.where(name.c_str()));
-            expect_count(p.uv[set], vertices, attributes.where(name.c_str()));
+            expect_count(*uv, vertices, attributes.where(name.c_str()));
+            p.uv[set] = as_vec2(*uv, attributes.where(name.c_str()), rows);
             for (glm::vec2& v : p.uv[set]) {
                 if (!std::isfinite(v.x) || !std::isfinite(v.y)) v = glm::vec2(0.0f);
             }
         }
     }
     if (const auto colors = attributes.read("COLOR_0")) {
-        p.colors = as_vec4(*colors, attributes.where("COLOR_0"), 1.0f);
-        expect_count(p.colors, vertices, attributes.where("COLOR_0"));
+        expect_count(*colors, vertices, attributes.where("COLOR_0"));
+        p.colors = as_vec4(*colors, attributes.where("COLOR_0"), 1.0f, rows);
         // Colours are multipliers of an albedo: above 1 a surface would make light.
         for (glm::vec4& c : p.colors) {
             for (int i = 0; i < 4; ++i) c[i] = std::isfinite(c[i]) ? std::clamp(c[i], 0.0f, 1.0f) : 1.0f;
@@ -195,11 +232,11 @@ void read_attributes(const Attributes& attributes, scene::Primitive& p, SourcePr
     }
 }
 
-std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, const JsonView& source,
-                                              Diagnostics& diagnostics) {
+std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, AccessorCache& accessors,
+                                              const JsonView& source, Diagnostics& diagnostics) {
     const std::uint64_t mode = source["mode"].unsigned_or(kTriangles);
     if (mode > kTriangleFan) source["mode"].fail("is not a primitive mode of glTF");
-    const Attributes attributes(document, source);
+    const Attributes attributes(document, accessors, source);
     const auto positions = attributes.read("POSITION");
     if (!positions) {
         diagnostics.warn("a primitive without positions: skipped");
@@ -209,20 +246,23 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
     if (mode < kTriangles)
         out.stroke = mode == kPoints ? scene::StrokeKind::points : scene::StrokeKind::lines;
     scene::Primitive& p = out.primitive;
-    p.positions = as_vec3(*positions, attributes.where("POSITION"));
-    if (!all_finite(p.positions)) {
-        diagnostics.warn("a primitive with NaN or infinite positions: skipped");
-        return std::nullopt;
-    }
-    read_attributes(attributes, p, out);
-    read_indices_of(document, source, attributes, mode, p);
+    p.indices = read_triangles(document, source, attributes, mode, positions->count);
     if (p.indices.empty()) {
         diagnostics.warn(out.stroke ? "a primitive without points or lines: skipped"
                                     : "a primitive without triangles: skipped");
         return std::nullopt;
     }
-    read_skin(attributes, p.positions.size(), out, diagnostics);
-    read_targets(document, source, p.positions.size(), out);
+    const Vertices vertices{positions->count, compact(p.indices, positions->count)};
+    document.charge(vertices.size() * kVertexBytes, source);
+    p.positions = as_vec3(*positions, attributes.where("POSITION"), vertices.used);
+    if (!all_finite(p.positions)) {
+        diagnostics.warn("a primitive with NaN or infinite positions: skipped");
+        return std::nullopt;
+    }
+    for (const glm::vec3& x : p.positions) p.bounds.extend(x);
+    read_attributes(attributes, vertices, p, out);
+    read_skin(attributes, vertices, out, diagnostics);
+    read_targets(document, accessors, source, vertices, out);
     if (const auto material = source["material"].index_below(document.count("materials")))
         p.material = *material;
     return out;
@@ -230,13 +270,14 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, cons
 
 }  // namespace
 
-SourceMesh read_mesh(const GltfDocument& document, std::uint32_t index, Diagnostics& diagnostics) {
+SourceMesh read_mesh(const GltfDocument& document, AccessorCache& accessors, std::uint32_t index,
+                     Diagnostics& diagnostics) {
     const JsonView mesh = document.element("meshes", index);
     SourceMesh out;
     out.name = mesh["name"].string_or("");
     const JsonView primitives = mesh["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-        if (auto primitive = read_primitive(document, primitives[i], diagnostics))
+        if (auto primitive = read_primitive(document, accessors, primitives[i], diagnostics))
             out.primitives.push_back(std::move(*primitive));
     }
     out.weights.resize(mesh["weights"].size());

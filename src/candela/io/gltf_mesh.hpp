@@ -2,12 +2,13 @@
 
 #include <optional>
 
-#include "candela/io/gltf_document.hpp"
+#include "candela/io/gltf_accessor.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
 
-/// A primitive before it is posed: what skins and morph targets need beside scene::Primitive.
+/// A primitive before it is posed: what skins and morph targets need beside scene::Primitive. Holds only the
+/// vertices that its triangles use.
 struct SourcePrimitive {
     scene::Primitive primitive;
     std::vector<std::array<std::uint32_t, 4>>
@@ -31,8 +32,8 @@ struct SourceMesh {
 
 /// Reads a mesh; primitives without area or with broken numbers are dropped with a warning. Materials are
 /// indices into the document's materials; no_index where there is none.
-[[nodiscard]] SourceMesh read_mesh(const GltfDocument& document, std::uint32_t index,
-                                   Diagnostics& diagnostics);
+[[nodiscard]] SourceMesh read_mesh(const GltfDocument& document, AccessorCache& accessors,
+                                   std::uint32_t index, Diagnostics& diagnostics);
 
 /// Attributes of a KHR_draco_mesh_compression primitive, by glTF name, and its indices.
 struct DracoAttribute {

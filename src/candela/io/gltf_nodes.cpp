@@ -16,18 +16,18 @@ Node read_node(const GltfDocument& document, std::uint32_t index) {
     for (std::size_t i = 0; i < children.size(); ++i) {
         node.children.push_back(children[i].required_index_below(document.count("nodes")));
     }
-    std::array<float, 3> three{};
-    std::array<float, 4> four{};
-    std::array<float, 16> sixteen{};
-    if (source["translation"].floats(three)) node.translation = {three[0], three[1], three[2]};
-    if (source["scale"].floats(three)) node.scale = {three[0], three[1], three[2]};
-    if (source["rotation"].floats(four)) {
-        const glm::quat q(four[3], four[0], four[1], four[2]);
-        const float length = glm::length(q);
-        node.rotation = length > 1e-12f ? q / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+    std::array<double, 3> three{};
+    std::array<double, 4> four{};
+    std::array<double, 16> sixteen{};
+    if (source["translation"].doubles(three)) node.translation = {three[0], three[1], three[2]};
+    if (source["scale"].doubles(three)) node.scale = {three[0], three[1], three[2]};
+    if (source["rotation"].doubles(four)) {
+        const glm::dquat q(four[3], four[0], four[1], four[2]);
+        const double length = glm::length(q);
+        node.rotation = length > 1e-12 ? q / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
     }
-    if (source["matrix"].floats(sixteen)) {
-        glm::mat4 m;
+    if (source["matrix"].doubles(sixteen)) {
+        glm::dmat4 m;
         for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = sixteen[static_cast<std::size_t>(i)];
         node.matrix = m;
     }
@@ -177,7 +177,7 @@ void animate_channel(const GltfDocument& document, const JsonView& animation, co
         node.scale = {v[0], v[1], v[2]};
     } else if (path == "rotation") {
         need(4);
-        node.rotation = to_quat(v);
+        node.rotation = glm::dquat(to_quat(v));
     } else if (path == "weights") {
         node.weights = v;
     } else {
@@ -188,22 +188,23 @@ void animate_channel(const GltfDocument& document, const JsonView& animation, co
     if (path != "weights") node.matrix.reset();
 }
 
-glm::mat4 local_matrix(const Node& node) {
+glm::dmat4 local_matrix(const Node& node) {
     if (node.matrix) return *node.matrix;
-    return glm::translate(glm::mat4(1.0f), node.translation) * glm::mat4_cast(node.rotation) *
-           glm::scale(glm::mat4(1.0f), node.scale);
+    return glm::translate(glm::dmat4(1.0), node.translation) * glm::mat4_cast(node.rotation) *
+           glm::scale(glm::dmat4(1.0), node.scale);
 }
 
 /// Explicit stack: a chain of a million nodes must not end in the machine's.
 void place(std::vector<Node>& nodes, std::uint32_t root, bool reachable) {
-    std::vector<std::pair<std::uint32_t, glm::mat4>> stack{{root, glm::mat4(1.0f)}};
+    std::vector<std::pair<std::uint32_t, glm::dmat4>> stack{{root, glm::dmat4(1.0)}};
     while (!stack.empty()) {
         const auto [index, parent] = stack.back();
         stack.pop_back();
         Node& node = nodes[index];
-        node.world = parent * local_matrix(node);
+        node.placed = parent * local_matrix(node);
+        node.world = glm::mat4(node.placed);
         node.reachable = reachable;
-        for (const std::uint32_t child : node.children) stack.emplace_back(child, node.world);
+        for (const std::uint32_t child : node.children) stack.emplace_back(child, node.placed);
     }
 }
 
@@ -246,8 +247,8 @@ std::vector<Node> read_posed_nodes(const GltfDocument& document, float time_s, D
     return nodes;
 }
 
-std::vector<glm::mat4> joint_matrices(const GltfDocument& document, std::uint32_t skin,
-                                      const std::vector<Node>& nodes) {
+std::vector<glm::dmat4> joint_matrices(const GltfDocument& document, std::uint32_t skin,
+                                       const std::vector<Node>& nodes) {
     const JsonView source = document.element("skins", skin);
     const JsonView joints = source["joints"];
     std::vector<glm::mat4> inverse_bind(joints.size(), glm::mat4(1.0f));
@@ -257,9 +258,10 @@ std::vector<glm::mat4> joint_matrices(const GltfDocument& document, std::uint32_
             source["inverseBindMatrices"].fail("has fewer matrices than the skin has joints");
         inverse_bind = read;
     }
-    std::vector<glm::mat4> out;
+    std::vector<glm::dmat4> out;
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        out.push_back(nodes[joints[j].required_index_below(nodes.size())].world * inverse_bind[j]);
+        out.push_back(nodes[joints[j].required_index_below(nodes.size())].placed *
+                      glm::dmat4(inverse_bind[j]));
     }
     if (out.empty()) joints.fail("a skin needs joints");
     return out;

@@ -25,15 +25,16 @@ void morph(const SourcePrimitive& source, const std::vector<float>& weights, sce
     }
 }
 
-void skin(const SourcePrimitive& source, const std::vector<glm::mat4>& joints, scene::Primitive& p) {
+void skin(const SourcePrimitive& source, const std::vector<glm::dmat4>& joints, scene::Primitive& p) {
     if (source.joints.empty()) return;
     for (std::size_t i = 0; i < p.positions.size(); ++i) {
-        glm::mat4 m(0.0f);
+        glm::dmat4 exact(0.0);
         for (std::size_t c = 0; c < 4; ++c) {
             const std::size_t joint = std::min<std::size_t>(source.joints[i][c], joints.size() - 1);
-            m += source.weights[i][static_cast<int>(c)] * joints[joint];
+            exact += static_cast<double>(source.weights[i][static_cast<int>(c)]) * joints[joint];
         }
-        p.positions[i] = glm::vec3(m * glm::vec4(p.positions[i], 1.0f));
+        p.positions[i] = glm::vec3(exact * glm::dvec4(p.positions[i], 1.0));
+        const glm::mat4 m(exact);
         if (!p.normals.empty()) {
             // Cofactors transform normals under any scale, mirrored or singular.
             const glm::mat3 a(m);
@@ -61,7 +62,7 @@ void normalize(scene::Primitive& p) {
 }  // namespace
 
 scene::Primitive pose(const SourcePrimitive& source, const std::vector<float>& weights,
-                      const std::vector<glm::mat4>& joints) {
+                      const std::vector<glm::dmat4>& joints) {
     scene::Primitive p = source.primitive;
     morph(source, weights, p);
     if (!joints.empty()) skin(source, joints, p);

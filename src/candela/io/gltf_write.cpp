@@ -60,13 +60,6 @@ bool shears(const glm::mat4& m) {
     return skew(x, y) || skew(y, z) || skew(x, z);
 }
 
-json node_json(const std::string& name, const glm::mat4& world) {
-    json node = json::object();
-    if (!name.empty()) node["name"] = name;
-    if (world != glm::mat4(1.0f)) node["matrix"] = to_json(world);
-    return node;
-}
-
 json camera_json(const scene::Camera& camera) {
     json out = json::object();
     if (!camera.name.empty()) out["name"] = camera.name;
@@ -89,7 +82,7 @@ json camera_json(const scene::Camera& camera) {
 void write_instances(const scene::Scene& scene, GltfFile& file, Diagnostics& diagnostics) {
     const std::map<std::uint32_t, std::size_t> meshes = write_meshes(scene, file);
     for (const scene::Instance& instance : scene.instances) {
-        json node = node_json(instance.name, instance.world);
+        json node = node_json(instance.name, scene.frame.to_world(instance.world));
         if (const auto mesh = meshes.find(instance.mesh); mesh != meshes.end()) node["mesh"] = mesh->second;
         if (shears(instance.world))
             diagnostics.warn("glTF cannot carry a transform that shears: written as a matrix all the same");
@@ -104,11 +97,19 @@ void write_other_nodes(const scene::Scene& scene, GltfFile& file) {
         for (const json& node : file.document["nodes"]) there.insert(node.value("name", ""));
     }
     for (const scene::Node& node : scene.nodes) {
-        if (there.insert(node.name).second) file.add_root(node_json(node.name, node.world));
+        if (there.insert(node.name).second)
+            file.add_root(node_json(node.name, scene.frame.to_world(node.world)));
     }
 }
 
 }  // namespace
+
+json node_json(const std::string& name, const glm::dmat4& world) {
+    json node = json::object();
+    if (!name.empty()) node["name"] = name;
+    if (world != glm::dmat4(1.0)) node["matrix"] = to_json(world);
+    return node;
+}
 
 void write_gltf(const std::filesystem::path& file, const scene::Scene& scene, Diagnostics& diagnostics) {
     GltfFile out("candela");
@@ -117,7 +118,7 @@ void write_gltf(const std::filesystem::path& file, const scene::Scene& scene, Di
         out.push("materials", material_to_gltf(m, textures, out));
     write_instances(scene, out, diagnostics);
     for (const scene::Camera& camera : scene.cameras) {
-        json node = node_json(camera.name, camera.world);
+        json node = node_json(camera.name, scene.frame.to_world(camera.world));
         node["camera"] = out.push("cameras", camera_json(camera));
         out.add_root(std::move(node));
     }

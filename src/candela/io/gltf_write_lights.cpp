@@ -104,13 +104,7 @@ class LightWriter {
         return factor;
     }
 
-    json node_of(const Light& light) {
-        json node = json::object();
-        if (!light.name.empty()) node["name"] = light.name;
-        if (const glm::mat4 world = world_of(light); world != glm::mat4(1.0f))
-            node["matrix"] = to_json(world);
-        return node;
-    }
+    json node_of(const Light& light) { return node_json(light.name, scene_.frame.to_world(world_of(light))); }
 
     std::size_t add_punctual(const Light& light) {
         json out{{"type", scene::name_of(light.type)}};

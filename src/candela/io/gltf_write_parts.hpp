@@ -31,6 +31,9 @@ class GltfTextureWriter {
 [[nodiscard]] nlohmann::json material_to_gltf(const scene::Material& material, GltfTextureWriter& textures,
                                               GltfFile& file);
 
+/// A node with its matrix, where that is not the identity.
+[[nodiscard]] nlohmann::json node_json(const std::string& name, const glm::dmat4& world);
+
 /// Adds all lights, each with its node.
 void write_lights(const scene::Scene& scene, GltfFile& file, Diagnostics& diagnostics);
 

@@ -18,6 +18,9 @@ namespace candela::io {
 /// messages.
 [[nodiscard]] scene::Image decode_image(std::span<const std::byte> bytes, const std::string& where);
 
+/// What decode_image will take for these bytes, by their header alone; 0 where that is broken.
+[[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::byte> bytes);
+
 /// A layer picture as written by write_exr, or any EXR: 32 bit float channels by full name ("R", "albedo.R").
 struct FloatImage {
     std::uint32_t width = 0;

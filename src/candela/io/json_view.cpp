@@ -86,6 +86,20 @@ std::uint32_t JsonView::required_index_below(std::size_t count) const {
     return *index;
 }
 
+bool JsonView::doubles(std::span<double> out) const {
+    if (!value_) return false;
+    if (!value_->is_array() || value_->size() != out.size()) {
+        fail("must be an array of " + std::to_string(out.size()) + " numbers");
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const JsonView number = (*this)[i];
+        // Range and type as for a float: what is stored later must be finite there too.
+        (void)number.float_or(0.0f);
+        out[i] = number.value_->get<double>();
+    }
+    return true;
+}
+
 bool JsonView::floats(std::span<float> out) const {
     if (!value_) return false;
     if (!value_->is_array() || value_->size() != out.size()) {

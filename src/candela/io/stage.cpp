@@ -75,8 +75,8 @@ StageCamera read_camera(const json& value, const std::string& where) {
     const StageObject object(
         value, where,
         {{"name", [&](const json& v, const std::string& at) { c.name = stage_text(v, at); }},
-         {"look_from", [&](const json& v, const std::string& at) { c.look_from = stage_vector(v, at); }},
-         {"look_at", [&](const json& v, const std::string& at) { c.look_at = stage_vector(v, at); }},
+         {"look_from", [&](const json& v, const std::string& at) { c.look_from = stage_point(v, at); }},
+         {"look_at", [&](const json& v, const std::string& at) { c.look_at = stage_point(v, at); }},
          {"focal_mm", [&](const json& v, const std::string& at) {
               c.focal_mm = stage_number(v, at, 1.0, 5000.0, "1 to 5000 mm");
           }}});

@@ -29,9 +29,9 @@ struct StageEnvironment {
 };
 
 struct StageCamera {
-    std::optional<std::string> name;  ///< one of the scene's cameras
-    std::optional<glm::vec3> look_from;
-    std::optional<glm::vec3> look_at;
+    std::optional<std::string> name;      ///< one of the scene's cameras
+    std::optional<glm::dvec3> look_from;  ///< in the world
+    std::optional<glm::dvec3> look_at;
     std::optional<float> focal_mm;
 };
 

@@ -144,8 +144,8 @@ void add_placement(Handlers& h, StageLight& out) {
         return glm::normalize(x);
     };
     h["node"] = [&](const json& v, const std::string& at) { out.node = stage_text(v, at); };
-    h["position"] = [&](const json& v, const std::string& at) { out.position = stage_vector(v, at); };
-    h["look_at"] = [&](const json& v, const std::string& at) { out.look_at = stage_vector(v, at); };
+    h["position"] = [&](const json& v, const std::string& at) { out.position = stage_point(v, at); };
+    h["look_at"] = [&](const json& v, const std::string& at) { out.look_at = stage_point(v, at); };
     h["direction"] = [&, unit_vector](const json& v, const std::string& at) {
         out.direction = unit_vector(v, at);
     };
@@ -194,7 +194,7 @@ void add_shape(Handlers& h, StageLight& out) {
     const auto half_angle = degrees(0.0, 90.0, "0 to 90 degrees, from the axis");
     const auto opening = degrees(0.1, 179.0, "0.1 to 179 degrees");
     const auto meters = [](const json& v, const std::string& at) {
-        return stage_number(v, at, 1e-6, 1e6, "1e-6 to 1e6 m");
+        return stage_number(v, at, 1e-9, 1e10, "1e-9 to 1e10 m");
     };
     h["radius_m"] = editing(out, meters, [](Light& l, float x) { l.radius_m = x; });
     h["width_m"] = editing(out, meters, [](Light& l, float x) { l.half_width_m = 0.5f * x; });

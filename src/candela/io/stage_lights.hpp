@@ -22,9 +22,9 @@ struct StageLight {
     std::optional<std::string> node;       ///< in whose frame the light stands
     std::optional<scene::LightType> type;
     std::optional<scene::LightStrength> strength;
-    std::optional<glm::vec3> position;
+    std::optional<glm::dvec3> position;  ///< in the world, or in the frame of `node`
     std::optional<glm::vec3> direction;
-    std::optional<glm::vec3> look_at;
+    std::optional<glm::dvec3> look_at;  ///< the same
     std::optional<glm::vec3> right;
     float roll_rad = 0.0f;
     std::filesystem::path profile;  ///< IES or EULUMDAT; empty: none

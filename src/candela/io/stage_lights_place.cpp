@@ -49,11 +49,17 @@ void stand(const StageLight& entry, const scene::Scene& scene, Light& light) {
         light.direction = {0.0f, 0.0f, -1.0f};
         light.right = {1.0f, 0.0f, 0.0f};
     }
-    if (entry.position) light.position = *entry.position;
+    const auto own = [&](const glm::dvec3& point) {
+        return entry.node ? glm::vec3(point) : scene.frame.to_own(point);
+    };
+    if (entry.position)
+        light.position = own(*entry.position);
+    else if (!entry.node && !entry.overrides)
+        light.position = own(glm::dvec3(0.0));
     if (entry.direction) light.direction = *entry.direction;
     if (entry.look_at) {
-        const glm::vec3 to = *entry.look_at - light.position;
-        if (!(glm::length(to) > 1e-6f))
+        const glm::vec3 to = own(*entry.look_at) - light.position;
+        if (!(glm::length(to) > 1e-20f))
             throw input_error("the light stands where it looks", entry.where + "/look_at");
         light.direction = glm::normalize(to);
     }

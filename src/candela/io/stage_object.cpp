@@ -57,6 +57,11 @@ std::size_t stage_choice(const json& value, const std::string& where, const std:
     throw input_error("must be one of a few words", where, all);
 }
 
+glm::dvec3 stage_point(const json& value, const std::string& where) {
+    (void)stage_vector(value, where);
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
 glm::vec3 stage_vector(const json& value, const std::string& where, double low, double high,
                        const std::string& range) {
     if (!value.is_array() || value.size() != 3) throw input_error("must be three numbers [x, y, z]", where);

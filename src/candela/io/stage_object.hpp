@@ -32,8 +32,12 @@ class StageObject {
 /// One of these.
 [[nodiscard]] std::size_t stage_choice(const nlohmann::json& value, const std::string& where,
                                        const std::vector<std::string>& names);
-[[nodiscard]] glm::vec3 stage_vector(const nlohmann::json& value, const std::string& where, double low = -1e9,
-                                     double high = 1e9, const std::string& range = "-1e9 to 1e9");
+[[nodiscard]] glm::vec3 stage_vector(const nlohmann::json& value, const std::string& where,
+                                     double low = -1e12, double high = 1e12,
+                                     const std::string& range = "-1e12 to 1e12");
+
+/// A point of the world in double, as JSON's numbers are: -1e12 to 1e12.
+[[nodiscard]] glm::dvec3 stage_point(const nlohmann::json& value, const std::string& where);
 
 /// Does what reads a file that the stage names: what goes wrong then names the key as well.
 template <class Read>

@@ -12,35 +12,35 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kLargest_m = 1e6;
+constexpr double kLargest_m = 1e10;
+constexpr double kSmallest_m = 1e-9;
 constexpr float kDefaultFade_m = 0.25f;
 /// Cells a side: what a grid of all three still holds in memory.
 constexpr double kMostCells = 32;
 
 /// What both kinds have.
 struct Frame {
-    glm::vec3 center{0.0f};
     float rotation_rad = 0.0f;
     [[nodiscard]] glm::mat4 world() const {
-        return glm::rotate(glm::translate(glm::mat4(1.0f), center), rotation_rad, glm::vec3(0, 1, 0));
+        return glm::rotate(glm::mat4(1.0f), rotation_rad, glm::vec3(0, 1, 0));
     }
 };
 
 using Handlers = std::map<std::string, StageObject::Handler>;
 
 float distance_m(const json& v, const std::string& at) {
-    return stage_number(v, at, 0.0, kLargest_m, "0 to 1e6 m");
+    return stage_number(v, at, 0.0, kLargest_m, "0 to 1e10 m");
 }
 
 glm::vec3 half_size_m(const json& v, const std::string& at) {
-    return 0.5f * stage_vector(v, at, 1e-3, kLargest_m, "0.001 to 1e6 m");
+    return 0.5f * stage_vector(v, at, kSmallest_m, kLargest_m, "1e-9 to 1e10 m");
 }
 
 template <class Probe>
 Handlers frame_handlers(Frame& frame, StageProbe<Probe>& out) {
     return {{"name", [&](const json& v, const std::string& at) { out.probe.name = stage_text(v, at); }},
             {"node", [&](const json& v, const std::string& at) { out.node = stage_text(v, at); }},
-            {"center", [&](const json& v, const std::string& at) { frame.center = stage_vector(v, at); }},
+            {"center", [&](const json& v, const std::string& at) { out.center = stage_point(v, at); }},
             {"rotation_deg", [&](const json& v, const std::string& at) {
                  frame.rotation_rad =
                      stage_number(v, at, -36000.0, 36000.0, "degrees") * static_cast<float>(M_PI / 180.0);
@@ -68,7 +68,7 @@ StageProbe<scene::ReflectionProbe> read_reflection_probe(const json& value, cons
     h["radius_m"] = [&](const json& v, const std::string& at) {
         sphere = true;
         out.probe.shape = scene::ProbeShape::sphere;
-        out.probe.half_size_m = glm::vec3(stage_number(v, at, 1e-3, kLargest_m, "0.001 to 1e6 m"));
+        out.probe.half_size_m = glm::vec3(stage_number(v, at, kSmallest_m, kLargest_m, "1e-9 to 1e10 m"));
     };
     h["capture_offset"] = [&](const json& v, const std::string& at) {
         out.probe.capture_offset_m = stage_vector(v, at);
@@ -112,6 +112,8 @@ StageProbe<scene::IrradianceVolume> read_irradiance_volume(const json& value, co
 template <class Probe>
 Probe placed(const StageProbe<Probe>& entry, const scene::Scene& scene) {
     Probe out = entry.probe;
+    const glm::vec3 center = entry.node ? glm::vec3(entry.center) : scene.frame.to_own(entry.center);
+    out.world[3] = glm::vec4(center, 1.0f);
     if (!entry.node) return out;
     const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
                                    [&](const scene::Node& n) { return n.name == *entry.node; });
@@ -119,7 +121,7 @@ Probe placed(const StageProbe<Probe>& entry, const scene::Scene& scene) {
         throw input_error("the scene has no node of this name: " + *entry.node, entry.where + "/node");
     out.world = scene::rigid_part(node->world) * out.world;
     // The node's scale moves what stands in its frame and does not change its size, as with lights.
-    out.world[3] = node->world * entry.probe.world[3];
+    out.world[3] = node->world * glm::vec4(center, 1.0f);
     return out;
 }
 

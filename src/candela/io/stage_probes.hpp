@@ -15,7 +15,8 @@ template <class Probe>
 struct StageProbe {
     std::string where;                ///< file and JSON pointer
     std::optional<std::string> node;  ///< in whose frame it stands
-    Probe probe;
+    Probe probe;                      ///< but for its place about its own middle
+    glm::dvec3 center{0.0};           ///< in the world, or in the frame of `node`
 };
 
 struct StageProbes {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
+#include <future>
 #include <glm/matrix.hpp>
 #include <map>
+#include <thread>
 
 #include "candela/realtime/light_block.hpp"
 #include "candela/realtime/material_block.hpp"
@@ -90,9 +93,10 @@ bool is_srgb_slot(std::size_t slot, const scene::Material& m) {
            slot == slot_sheen_color || (slot == slot_metallic_roughness && specular_glossiness);
 }
 
+using MipChain = std::vector<std::vector<std::uint8_t>>;
+
 gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, const scene::Image& source,
-                        bool srgb) {
-    const auto levels = mip_chain(source, srgb);
+                        bool srgb, const MipChain& levels) {
     std::size_t bytes = 0;
     for (const auto& level : levels) bytes += level.size();
     gpu::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
@@ -109,6 +113,28 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
     commands.use(image, gpu::Use::sampled);
     commands.submit_and_wait();
     return image;
+}
+
+struct ImageUse {
+    const scene::Image* image;
+    bool srgb;
+};
+
+/// Makes mip chains ahead, one a processor, and hands them to upload(use, levels) in order.
+template <class Upload>
+void for_each_mip_chain(const std::vector<ImageUse>& uses, const Upload& upload) {
+    const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+    std::deque<std::future<MipChain>> ahead;
+    std::size_t started = 0;
+    for (const ImageUse& use : uses) {
+        for (; started < uses.size() && ahead.size() < processors; ++started) {
+            ahead.push_back(std::async(std::launch::async,
+                                       [next = uses[started]] { return mip_chain(*next.image, next.srgb); }));
+        }
+        const MipChain levels = ahead.front().get();
+        ahead.pop_front();
+        upload(use, levels);
+    }
 }
 
 }  // namespace
@@ -180,7 +206,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
 
 void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands,
                                const scene::Scene& scene) {
-    images_.push_back(upload_image(device, commands, white_image(), false));
+    std::vector<ImageUse> uses{{&white_image(), false}};
     samplers_.push_back(gpu::create_sampler(device, {}));
 
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known_images;
@@ -188,8 +214,8 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
     const auto image_of = [&](std::uint32_t index, bool srgb) {
         if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
         const auto [entry, fresh] =
-            known_images.try_emplace({index, srgb}, static_cast<std::uint32_t>(images_.size()));
-        if (fresh) images_.push_back(upload_image(device, commands, scene.images[index], srgb));
+            known_images.try_emplace({index, srgb}, static_cast<std::uint32_t>(uses.size()));
+        if (fresh) uses.push_back({&scene.images[index], srgb});
         return entry->second;
     };
     const auto sampler_of = [&](const scene::Sampler& sampler) {
@@ -212,6 +238,9 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
         }
         material_textures_.push_back(slots);
     }
+    for_each_mip_chain(uses, [&](const ImageUse& use, const MipChain& levels) {
+        images_.push_back(upload_image(device, commands, *use.image, use.srgb, levels));
+    });
 }
 
 void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands,

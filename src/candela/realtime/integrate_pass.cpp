@@ -19,6 +19,9 @@ namespace {
 /// float table is below the spacing of the random numbers; this keeps every row's step above 10^-5.
 constexpr float kUniformShare = 0.1f;
 
+/// Of a triangle for rays, without its part of the tree.
+constexpr std::size_t kTriangleBytes = 4 * sizeof(Quad);
+
 std::vector<float> environment_table(const scene::Scene& scene) {
     if (!scene.environment) return {};
     bake::EnvironmentDistribution d =
@@ -47,13 +50,13 @@ class Tables {
     std::uint32_t append_quads(const std::vector<T>& data) {
         return append(data) / 4;
     }
-    void write_header(const std::array<std::uint32_t, 16>& header) {
+    void write_header(const std::array<std::uint32_t, 20>& header) {
         std::copy(header.begin(), header.end(), words_.begin());
     }
     [[nodiscard]] const std::vector<std::uint32_t>& words() const noexcept { return words_; }
 
   private:
-    static constexpr std::size_t kHeaderWords = 16;
+    static constexpr std::size_t kHeaderWords = 20;
     std::vector<std::uint32_t> words_;
 };
 
@@ -87,11 +90,16 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     AlphaRecords alphas(scene, textures);
     const Emitters emitters = collect_emitters(scene, alphas, textures);
     RayScene rays;
-    if (options->ray_shadows) rays = build_ray_scene(scene, alphas);
+    if (options->ray_shadows) {
+        const auto shared = scene::shared_primitives(scene, options->max_copied_triangles);
+        // Before minutes go into trees that do not fit.
+        check_fits(device, kTriangleBytes * scene::stored_triangles(scene, shared), true);
+        rays = build_ray_scene(scene, alphas, shared);
+    }
     const LightRecords lights = light_records(scene, textures);
 
     const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
-    std::array<std::uint32_t, 16> header{};
+    std::array<std::uint32_t, 20> header{};
     header[0] = tables.append(environment_table(scene));
     header[1] = tables.append_quads(emitters.asked);
     header[2] = count(emitters.asked.size());
@@ -103,11 +111,12 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     header[8] = tables.append_quads(textures.records());
     header[9] = tables.append(textures.texels());
     header[10] = tables.append_quads(rays.nodes);
-    header[11] = count(rays.nodes.size() / 2);
+    header[11] = rays.top_nodes;
     header[12] = tables.append_quads(rays.triangles);
     header[13] = tables.append_quads(lights.lights);
     header[14] = tables.append_quads(lights.profiles);
     header[15] = tables.append(lights.profile_cd);
+    header[16] = tables.append_quads(rays.instances);
     tables.write_header(header);
     check_fits(device, tables.words().size() * sizeof(std::uint32_t), options->ray_shadows);
 
@@ -117,6 +126,7 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     has(8, !emitters.items.empty());
     has(16, !emitters.asked.empty());
     has(32, !alphas.quads().empty());
+    has(64, !rays.instances.empty());
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/profile.hpp"
 #include "candela/scene/scene.hpp"
+#include "candela/scene/shared_primitives.hpp"
 
 /// The mode `integrate`: the lighting and the forward pass run shaders/integrate.glsl instead of the
 /// profile's techniques. Here is what they need beside the frame.
@@ -19,6 +20,8 @@ struct IntegrateOptions {
     Strategy strategy = Strategy::both;
     std::uint32_t draws = 4;   ///< of each strategy in a sample of a pixel
     bool ray_shadows = false;  ///< light is what reaches the surface, past the triangles of the scene
+    /// Beyond so many triangles of copies, instances share trees (scene/shared_primitives.hpp).
+    std::size_t max_copied_triangles = scene::kMaxCopiedTriangles;
 };
 
 /// Draws for the one frame that the exposure is metered from: the mean of logarithms is lower than the

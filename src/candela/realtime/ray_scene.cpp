@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/packing.hpp>
+#include <map>
 
 #include "candela/realtime/box_tree.hpp"
 #include "shading/octahedral.glsl"
@@ -16,6 +17,8 @@ namespace {
 /// Of a leaf; its count must fit the low bits of a node's last word.
 constexpr std::uint32_t kLeafTriangles = 4;
 constexpr std::uint32_t kLeafCountBits = 3;
+/// In place of a leaf's count: what it holds is one instance.
+constexpr std::uint32_t kInstanceLeaf = 7;
 
 glm::vec3 unit(const glm::vec3& v) {
     return v * (1.0f / std::sqrt(std::max(glm::dot(v, v), 1e-30f)));
@@ -44,10 +47,6 @@ void append_instance(const scene::Instance& instance, const scene::Primitive& p,
         }
         out.push_back(t);
     }
-}
-
-Quad second_quad(const BoxTree::Node& node) {
-    return quad(node.box.max, node.count == 0 ? 0u : node.first << kLeafCountBits | node.count);
 }
 
 }  // namespace
@@ -90,27 +89,102 @@ std::uint32_t AlphaRecords::record_of(const WorldTriangle& triangle) {
     return record;
 }
 
-RayScene build_ray_scene(const scene::Scene& scene, AlphaRecords& alphas) {
-    const std::vector<WorldTriangle> triangles =
-        world_triangles(scene, [](const scene::Material&) { return true; });
-    std::vector<scene::Aabb> boxes(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        for (const glm::vec3& corner : triangles[i].corners) boxes[i].extend(corner);
+namespace {
+
+/// Appends trees one after the other into the buffers of a RayScene.
+class TreeWriter {
+  public:
+    TreeWriter(RayScene& out, AlphaRecords& alphas) : out_(&out), alphas_(&alphas) {}
+
+    /// Returns the first and the end of the tree's nodes.
+    std::pair<std::uint32_t, std::uint32_t> append(const std::vector<WorldTriangle>& triangles) {
+        std::vector<scene::Aabb> boxes(triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            for (const glm::vec3& corner : triangles[i].corners) boxes[i].extend(corner);
+        }
+        const BoxTree tree = build_box_tree(boxes, kLeafTriangles);
+        const auto first_triangle = static_cast<std::uint32_t>(out_->triangles.size() / 4);
+        const auto range = append_nodes(tree, [&](const BoxTree::Node& node) {
+            return (first_triangle + node.first) << kLeafCountBits | node.count;
+        });
+        for (const std::uint32_t i : tree.order) {
+            const WorldTriangle& t = triangles[i];
+            out_->triangles.push_back(quad(t.corners[0], alphas_->record_of(t)));
+            out_->triangles.push_back(quad(t.corners[1], 0));
+            out_->triangles.push_back(quad(t.corners[2], 0));
+            out_->triangles.push_back({packed(t.normals[0]), packed(t.normals[1]), packed(t.normals[2]), 0});
+        }
+        return range;
     }
-    const BoxTree tree = build_box_tree(boxes, kLeafTriangles);
+
+    /// One instance a leaf.
+    void append_instances(const std::vector<scene::Aabb>& boxes) {
+        const BoxTree tree = build_box_tree(boxes, 1);
+        append_nodes(tree, [&](const BoxTree::Node& node) {
+            return tree.order[node.first] << kLeafCountBits | kInstanceLeaf;
+        });
+    }
+
+  private:
+    template <class Leaf>
+    std::pair<std::uint32_t, std::uint32_t> append_nodes(const BoxTree& tree, const Leaf& leaf) {
+        const auto first = static_cast<std::uint32_t>(out_->nodes.size() / 2);
+        for (const BoxTree::Node& node : tree.nodes) {
+            out_->nodes.push_back(quad(node.box.min, first + node.skip));
+            out_->nodes.push_back(quad(node.box.max, node.count == 0 ? 0u : leaf(node)));
+        }
+        return {first, static_cast<std::uint32_t>(out_->nodes.size() / 2)};
+    }
+
+    RayScene* out_;
+    AlphaRecords* alphas_;
+};
+
+void append_rows(const glm::mat4& m, std::vector<Quad>& out) {
+    for (int row = 0; row < 3; ++row)
+        out.push_back({word(m[0][row]), word(m[1][row]), word(m[2][row]), word(m[3][row])});
+}
+
+}  // namespace
+
+RayScene build_ray_scene(const scene::Scene& scene, AlphaRecords& alphas,
+                         const std::set<const scene::Primitive*>& shared) {
     RayScene out;
-    out.nodes.reserve(2 * tree.nodes.size());
-    out.triangles.reserve(4 * tree.order.size());
-    for (const BoxTree::Node& node : tree.nodes) {
-        out.nodes.push_back(quad(node.box.min, node.skip));
-        out.nodes.push_back(second_quad(node));
+    TreeWriter writer(out, alphas);
+    struct Shown {
+        const scene::Primitive* primitive;
+        const scene::Instance* instance;
+    };
+    std::vector<WorldTriangle> copied;
+    std::vector<Shown> shown;
+    std::vector<scene::Aabb> boxes;
+    for (const scene::Instance& instance : scene.instances) {
+        for (const scene::Primitive& p : scene.meshes[instance.mesh].primitives) {
+            if (!shared.contains(&p)) {
+                append_instance(instance, p, copied);
+                continue;
+            }
+            shown.push_back({&p, &instance});
+            boxes.push_back(transformed(p.bounds, instance.world));
+        }
     }
-    for (const std::uint32_t i : tree.order) {
-        const WorldTriangle& t = triangles[i];
-        out.triangles.push_back(quad(t.corners[0], alphas.record_of(t)));
-        out.triangles.push_back(quad(t.corners[1], 0));
-        out.triangles.push_back(quad(t.corners[2], 0));
-        out.triangles.push_back({packed(t.normals[0]), packed(t.normals[1]), packed(t.normals[2]), 0});
+    writer.append(copied);
+    copied = {};
+    writer.append_instances(boxes);
+    out.top_nodes = static_cast<std::uint32_t>(out.nodes.size() / 2);
+    std::map<const scene::Primitive*, std::pair<std::uint32_t, std::uint32_t>> trees;
+    for (const scene::Primitive* p : shared) {
+        std::vector<WorldTriangle> own;
+        append_instance({}, *p, own);
+        trees[p] = writer.append(own);
+    }
+    for (const Shown& s : shown) {
+        const glm::mat4& world = s.instance->world;
+        append_rows(glm::mat4(glm::inverse(glm::dmat4(world))), out.instances);
+        append_rows(world, out.instances);
+        const auto [first, end] = trees[s.primitive];
+        const bool mirrored = glm::determinant(glm::mat3(world)) < 0.0f;
+        out.instances.push_back({first, end, word(mirrored ? -1.0f : 1.0f), 0});
     }
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <set>
 #include <vector>
 
 #include "candela/realtime/packed_textures.hpp"
@@ -42,11 +43,18 @@ class AlphaRecords {
 /// Texture coordinates of the corners for this use of a texture.
 [[nodiscard]] std::array<glm::vec2, 3> corner_uv(const WorldTriangle& triangle, const scene::TextureRef& ref);
 
-/// A bounding volume hierarchy of all triangles (shaders/ray_scene.glsl).
+/// Bounding volume hierarchies of all triangles (shaders/ray_scene.glsl): first that of the copied triangles
+/// and that of the instances of shared primitives, then one a shared primitive.
 struct RayScene {
     std::vector<Quad> nodes;      ///< two a node
+    std::uint32_t top_nodes = 0;  ///< those of the first two
     std::vector<Quad> triangles;  ///< four a triangle, leaf by leaf
+    std::vector<Quad> instances;  ///< kInstanceQuads each
 };
-[[nodiscard]] RayScene build_ray_scene(const scene::Scene& scene, AlphaRecords& alphas);
+inline constexpr std::size_t kInstanceQuads = 7;
+
+/// `shared`: what scene::shared_primitives finds.
+[[nodiscard]] RayScene build_ray_scene(const scene::Scene& scene, AlphaRecords& alphas,
+                                       const std::set<const scene::Primitive*>& shared);
 
 }  // namespace candela::realtime

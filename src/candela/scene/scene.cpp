@@ -77,6 +77,8 @@ Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad) {
     Camera camera;
     camera.name = "look-at";
     camera.yfov_rad = yfov_rad;
+    // What is looked at closely must not be cut off.
+    camera.znear_m = std::min(camera.znear_m, 0.01f * glm::length(from - at));
     camera.world = glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f),
                              glm::vec4(back, 0.0f), glm::vec4(from, 1.0f));
     return camera;
@@ -84,7 +86,8 @@ Camera look_at(const glm::vec3& from, const glm::vec3& at, float yfov_rad) {
 
 Camera frame_bounds(const Aabb& bounds, float aspect) {
     const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
-    const float radius = bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.max - bounds.min), 1e-4f);
+    const float half_diagonal = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.max - bounds.min);
+    const float radius = half_diagonal > 0.0f ? half_diagonal : 1e-4f;
     const float yfov = yfov_from_focal_mm(50.0f);
     const float half = 0.5f * std::min(yfov, 2.0f * std::atan(std::tan(0.5f * yfov) * aspect));
     const float distance = 1.05f * radius / std::sin(half);

@@ -15,6 +15,7 @@
 #include "candela/scene/material.hpp"
 #include "candela/scene/photometric.hpp"
 #include "candela/scene/probe.hpp"
+#include "candela/scene/world_frame.hpp"
 
 /// What is shown: plain data in physical units. 1 unit = 1 m, right-handed, +Y up, cameras look down -Z (as
 /// glTF).
@@ -108,6 +109,7 @@ struct Exposure {
 
 struct Scene {
     std::string name;
+    WorldFrame frame;  ///< of every position and length below
     std::vector<Image> images;
     std::vector<Texture> textures;
     std::vector<Material> materials;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "candela/scene/scene.hpp"
+#include "candela/scene/shared_primitives.hpp"
 #include "shading/ray_origin.glsl"
 
 namespace candela::truth {
@@ -24,24 +25,32 @@ struct Hit {
     float t = 0.0f;  ///< m along the ray
 };
 
-/// One primitive of one instance in world space.
+/// One primitive of one instance. Its vertices are transformed to the scene's space when they are asked for,
+/// as realtime/shaders/mesh.vert.glsl does.
 struct Part {
     const scene::Primitive* primitive = nullptr;
     std::uint32_t material = 0;
     std::uint32_t instance = 0;
     bool mirrored = false;  ///< winding is turned around
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;   ///< unit length
-    std::vector<glm::vec4> tangents;  ///< as scene::Primitive; empty where nothing needs them
+    glm::mat4 world{1.0f};
+    glm::mat3 to_normal{1.0f};  ///< cofactors of `world`, with the sign that keeps normals outside
+
+    [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const {
+        return glm::vec3(world * glm::vec4(primitive->positions[vertex], 1.0f));
+    }
+    [[nodiscard]] glm::vec3 normal(std::uint32_t vertex) const;   ///< unit length
+    [[nodiscard]] glm::vec4 tangent(std::uint32_t vertex) const;  ///< as scene::Primitive::tangents
+    [[nodiscard]] bool has_tangents() const noexcept { return !primitive->tangents.empty(); }
 };
 
-/// A scene's triangles in world space, and rays through them (Embree). Instances are copied out: a ray then
-/// meets one tree and no transforms. The scene must outlive this. Rays may be traced from several threads at
-/// once.
+/// A scene's triangles in the scene's space, and rays through them (Embree). Instances are copied out, so
+/// that a ray meets one tree and no transforms, but for primitives whose copies would be many triangles:
+/// those share one tree. The scene must outlive this. Rays may be traced from several threads at once.
 class Geometry {
   public:
     /// Throws Error (Fault::machine) when Embree fails or memory runs out.
-    explicit Geometry(const scene::Scene& scene);
+    explicit Geometry(const scene::Scene& scene,
+                      std::size_t max_copied_triangles = scene::kMaxCopiedTriangles);
     ~Geometry();
     Geometry(const Geometry&) = delete;
     Geometry& operator=(const Geometry&) = delete;

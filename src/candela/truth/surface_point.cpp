@@ -28,14 +28,19 @@ struct SurfaceReader::Corners {
     [[nodiscard]] T mix(const std::vector<T>& values) const {
         return values[index[0]] * (1.0f - u - v) + values[index[1]] * u + values[index[2]] * v;
     }
+    /// Of what the part transforms: get(vertex).
+    template <class Get>
+    [[nodiscard]] auto blend(const Get& get) const {
+        return get(index[0]) * (1.0f - u - v) + get(index[1]) * u + get(index[2]) * v;
+    }
     [[nodiscard]] glm::vec2 uv(const scene::TextureRef& ref) const {
         const auto& set = primitive->uv[ref.uv_set < 2 ? ref.uv_set : 0];
         return set.empty() ? glm::vec2(0.0f) : mix(set);
     }
     /// Counter-clockwise seen from the front; not normalized.
     [[nodiscard]] glm::vec3 geometric_normal() const {
-        const glm::vec3& a = part->positions[index[0]];
-        const glm::vec3 n = glm::cross(part->positions[index[1]] - a, part->positions[index[2]] - a);
+        const glm::vec3 a = part->position(index[0]);
+        const glm::vec3 n = glm::cross(part->position(index[1]) - a, part->position(index[2]) - a);
         return part->mirrored ? -n : n;
     }
 };
@@ -58,8 +63,8 @@ bool has_layers(const scene::Material& m) {
 
 glm::vec3 smooth_surface(const Part& part, const std::uint32_t* index, float u, float v, const glm::vec3& p,
                          float facing) {
-    const auto corner = [&](int c) { return part.positions[index[c]]; };
-    const auto normal = [&](int c) { return part.normals[index[c]] * facing; };
+    const auto corner = [&](int c) { return part.position(index[c]); };
+    const auto normal = [&](int c) { return part.normal(index[c]) * facing; };
     return shading::smooth_surface(p, {1.0f - u - v, u, v}, corner(0), corner(1), corner(2), normal(0),
                                    normal(1), normal(2));
 }
@@ -105,13 +110,14 @@ glm::vec3 SurfaceReader::emissive_nit(std::uint32_t part, std::uint32_t triangle
 
 void SurfaceReader::read_normals(const Corners& at, const scene::Material& m, float facing,
                                  SurfacePoint& out) const {
-    const glm::vec3 vertex_normal = unit_or(at.mix(at.part->normals), out.geometric_normal * facing);
+    const glm::vec3 vertex_normal =
+        unit_or(at.blend([&](std::uint32_t i) { return at.part->normal(i); }), out.geometric_normal * facing);
     out.normal = vertex_normal * facing;
     out.coat_normal = out.normal;
     const bool mapped = m.normal_texture || (out.layered && m.clearcoat.normal_texture);
     const bool wants_tangent = mapped || m.anisotropy.strength > 0.0f;
-    if (!wants_tangent || at.part->tangents.empty()) return;
-    const glm::vec4 t = at.mix(at.part->tangents);
+    if (!wants_tangent || !at.part->has_tangents()) return;
+    const glm::vec4 t = at.blend([&](std::uint32_t i) { return at.part->tangent(i); });
     out.tangent = glm::vec3(t);
     out.bitangent = (t.w < 0.0f ? -1.0f : 1.0f) * glm::cross(vertex_normal, out.tangent) * facing;
     const glm::vec3 base = out.normal;
@@ -194,7 +200,7 @@ SurfacePoint SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     const scene::Material& m = scene_->materials[part.material];
     const Corners at(part, hit.triangle, hit.u, hit.v);
     SurfacePoint out;
-    out.position = at.mix(part.positions);
+    out.position = at.blend([&](std::uint32_t i) { return part.position(i); });
     const glm::vec3 ng = unit_or(at.geometric_normal(), -ray.direction);
     out.front = glm::dot(ray.direction, ng) < 0.0f;
     const float facing = out.front ? 1.0f : -1.0f;

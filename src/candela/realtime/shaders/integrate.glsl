@@ -21,6 +21,7 @@ const bool kCastsRays = (kIntegrate & 4) != 0;
 const bool kHasEmitters = (kIntegrate & 8) != 0;
 const bool kHasAsked = (kIntegrate & 16) != 0;
 const bool kHasTransparency = (kIntegrate & 32) != 0;
+const bool kHasInstances = (kIntegrate & 64) != 0;
 
 #include "emitters.glsl"
 

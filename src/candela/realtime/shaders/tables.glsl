@@ -23,11 +23,12 @@ uint alpha_first() { return table_quads[1].w; }
 uint texture_record_first() { return table_quads[2].x; }
 uint texel_first_word() { return table_quads[2].y; }
 uint ray_node_first() { return table_quads[2].z; }
-uint ray_node_count() { return table_quads[2].w; }  // 0: nothing casts shadows
+uint ray_node_count() { return table_quads[2].w; }  // of the trees that rays start in; 0: nothing casts shadows
 uint ray_triangle_first() { return table_quads[3].x; }
 uint light_first() { return table_quads[3].y; }
 uint profile_first() { return table_quads[3].z; }
 uint profile_first_float() { return table_quads[3].w; }
+uint ray_instance_first() { return table_quads[4].x; }
 
 vec3 quad_vec3(uint index) { return uintBitsToFloat(table_quads[index].xyz); }
 
