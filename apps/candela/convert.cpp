@@ -42,6 +42,7 @@ int convert(const ConvertOptions& options) {
     io::check_output_file(options.out_file);
     Diagnostics diagnostics;
     const StagedScene staged = load_staged_scene(options, diagnostics);
+    refuse_warnings(options, diagnostics);
     warn_of_the_stage(staged.stage, diagnostics);
     {
         const ProgressLine line("writing");

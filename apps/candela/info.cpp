@@ -54,6 +54,7 @@ json scene_json(const JobOptions& options) {
         set_environment(options, staged.stage, job);
     else
         refuse_options_of_no_environment(options, "the scene");
+    refuse_warnings(options, job.diagnostics);
     const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},
              {"triangles", scene::triangle_count(scene)},

@@ -241,6 +241,7 @@ Job prepare(const JobOptions& options) {
     job.camera = choose_camera(options, stage, job);
     scene::widen_strokes(job.scene, job.camera, job.width, job.height, options.line_width_px);
     job.exposure = choose_exposure(options, stage);
+    refuse_warnings(options, job.diagnostics);
     scene::set_unit(job.scene, job.camera, scene::suitable_unit_m(job.scene));
     return job;
 }

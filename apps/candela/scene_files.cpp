@@ -27,7 +27,11 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
             "What the scene file's punctual lights are in: spec (cd, lx; Blender's Standard), or Blender's "
             "unitless or raw")
         ->check(CLI::IsMember({"spec", "standard", "unitless", "raw"}));
-    command.add_option("--time", o.time_s, "Time of animations, skins and morph targets in s");
+    command.add_option("--time", o.time_s, "Time of the animation, skins and morph targets in s");
+    command.add_option("--animation", o.animation,
+                       "The animation that plays, by name or number (the first one unless told otherwise)");
+    command.add_flag("--strict", o.strict,
+                     "Refuse files that are drawn only with a warning, as a validator would");
     command.add_option_function<std::string>(
         "--memory", [&o](const std::string& text) { o.memory = scene::memory_from_text(text, "--memory"); },
         "Most memory that the scene may take, such as 6G (7/8 of what is free)");
@@ -38,12 +42,26 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
     StagedScene out;
     ProgressLine line("loading " + std::filesystem::path(o.scene_file).filename().string());
-    out.scene = io::load_gltf(o.scene_file, {o.time_s, o.light_scale, o.light_units, line.steps(), o.memory},
-                              diagnostics);
+    io::GltfOptions gltf;
+    gltf.time_s = o.time_s;
+    gltf.animation = o.animation;
+    gltf.light_scale = o.light_scale;
+    gltf.light_units = o.light_units;
+    gltf.memory = o.memory;
+    gltf.progress = line.steps();
+    out.scene = io::load_gltf(o.scene_file, gltf, diagnostics);
     if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
     io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
     io::place_stage_probes(out.stage.probes, out.scene);
     return out;
+}
+
+void refuse_warnings(const SceneFileOptions& o, const Diagnostics& diagnostics) {
+    const auto& warnings = diagnostics.warnings();
+    if (!o.strict || warnings.empty()) return;
+    const std::string more =
+        warnings.size() > 1 ? " and of " + std::to_string(warnings.size() - 1) + " more warnings" : "";
+    throw input_error(warnings.front().text, "", "an error because of --strict" + more);
 }
 
 }  // namespace candela::app

@@ -16,6 +16,8 @@ struct SceneFileOptions {
     float light_scale = 1.0f;
     io::GltfLightUnits light_units = io::GltfLightUnits::spec;
     float time_s = 0.0f;
+    std::string animation;
+    bool strict = false;
     std::optional<scene::MemoryBudget> memory;  ///< absent: what the machine has left
 };
 
@@ -28,5 +30,8 @@ struct StagedScene {
 
 /// Throws Error for numbers that no scene means, and for what is wrong with the files.
 [[nodiscard]] StagedScene load_staged_scene(const SceneFileOptions& options, Diagnostics& diagnostics);
+
+/// With --strict what the files needed warnings for is an error. Throws Error (Fault::input).
+void refuse_warnings(const SceneFileOptions& options, const Diagnostics& diagnostics);
 
 }  // namespace candela::app

@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
-#include <set>
 
+#include "candela/io/gltf_camera.hpp"
+#include "candela/io/gltf_extensions.hpp"
 #include "candela/io/gltf_instances.hpp"
 #include "candela/io/gltf_lights.hpp"
 #include "candela/io/gltf_material.hpp"
@@ -22,47 +23,6 @@ namespace {
 constexpr std::size_t kMaxFileBytes = (std::size_t{1} << 32) - 1;
 /// Instances of the same mesh cost little in the file and in memory; this bounds what they may cost in time.
 constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 30;
-
-const std::set<std::string>& supported_extensions() {
-    static const std::set<std::string> names{"KHR_lights_punctual",
-                                             "EXT_lights_ies",
-                                             "EXT_lights_area",
-                                             "KHR_texture_transform",
-                                             "KHR_materials_emissive_strength",
-                                             "KHR_materials_unlit",
-                                             "KHR_materials_ior",
-                                             "KHR_materials_specular",
-                                             "KHR_materials_clearcoat",
-                                             "KHR_materials_sheen",
-                                             "KHR_materials_anisotropy",
-                                             "KHR_materials_pbrSpecularGlossiness",
-                                             "KHR_mesh_quantization",
-                                             "EXT_meshopt_compression",
-                                             "EXT_mesh_gpu_instancing",
-                                             "KHR_draco_mesh_compression",
-                                             "EXT_texture_webp"};
-    return names;
-}
-
-void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
-    const JsonView list = document.array("extensionsRequired");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string name = list[i].string_or("");
-        if (!supported_extensions().contains(name))
-            list[i].fail("the scene requires " + name + ", which is not supported");
-    }
-    constexpr std::size_t most_named = 16;
-    std::set<std::string> unknown;
-    const JsonView used = document.array("extensionsUsed");
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const std::string name = used[i].string_or("");
-        if (supported_extensions().contains(name) || !unknown.insert(name).second) continue;
-        if (unknown.size() <= most_named)
-            diagnostics.warn("extension " + name + " is not supported: ignored");
-    }
-    if (unknown.size() > most_named)
-        diagnostics.warn(std::to_string(unknown.size() - most_named) + " more extensions are not supported");
-}
 
 /// glTF's default material, once.
 std::uint32_t default_material(scene::Scene& scene) {
@@ -145,6 +105,7 @@ struct Poser {
     const std::vector<Node>& nodes;
     scene::Scene& scene;
     Diagnostics& diagnostics;
+    GltfMaterials materials{document, scene};
     AccessorCache accessors{document};
     std::map<std::uint32_t, SourceMesh> sources;
     std::map<std::uint32_t, Placed> rigid;  // by glTF mesh, for meshes that look alike everywhere
@@ -160,7 +121,8 @@ struct Poser {
     const SourceMesh& source_of(std::uint32_t mesh) {
         const auto found = sources.find(mesh);
         if (found != sources.end()) return found->second;
-        return sources.emplace(mesh, read_mesh(document, accessors, mesh, diagnostics)).first->second;
+        return sources.emplace(mesh, read_mesh(document, accessors, materials, mesh, diagnostics))
+            .first->second;
     }
 
     Placed add_mesh(const SourceMesh& source, const std::vector<float>& weights,
@@ -204,11 +166,14 @@ struct Poser {
     }
 
     static void check_joints(const SourcePrimitive& p, std::size_t joints, const JsonView& node) {
-        for (std::size_t i = 0; i < p.joints.size(); ++i) {
-            for (std::size_t c = 0; c < 4; ++c) {
-                if (p.joints[i][c] < joints || p.weights[i][static_cast<int>(c)] == 0.0f) continue;
-                node["skin"].fail("has " + std::to_string(joints) + " joints, its mesh refers to joint " +
-                                  std::to_string(p.joints[i][c]));
+        for (const SourcePrimitive::Influences& set : p.influences) {
+            for (std::size_t i = 0; i < set.joints.size(); ++i) {
+                for (std::size_t c = 0; c < 4; ++c) {
+                    if (set.joints[i][c] < joints || set.weights[i][static_cast<int>(c)] == 0.0f) continue;
+                    node["skin"].repaired(
+                        "its mesh refers to joints that the skin does not have: they move nothing");
+                    return;
+                }
             }
         }
     }
@@ -223,9 +188,11 @@ struct Poser {
         Shown out;
         out.mesh = *mesh;
         if (const auto skin = json_node["skin"].index_below(document.count("skins"))) {
-            const std::vector<glm::dmat4>& joints = joints_of(*skin);
+            std::vector<glm::dmat4> joints;
+            document.try_to_read(json_node["skin"], "drawn without the skin",
+                                 [&] { joints = joints_of(*skin); });
             if (std::any_of(source.primitives.begin(), source.primitives.end(),
-                            [](const SourcePrimitive& p) { return !p.joints.empty(); }))
+                            [](const SourcePrimitive& p) { return !p.influences.empty(); }))
                 out.joints = joints;
         }
         const auto instances = read_gpu_instances(document, json_node, diagnostics);
@@ -303,48 +270,11 @@ struct Poser {
     }
 };
 
-void add_camera(const JsonView& source, const Node& node, scene::Scene& scene) {
-    scene::Camera camera;
-    const std::string own_name = source["name"].string_or("");
-    camera.name = node.name.empty() ? own_name : node.name;
-    camera.world = scene::rigid_part(node.world);
-    const std::string type = source["type"].string_or("");
-    const auto positive = [](const JsonView& value, float fallback) {
-        const float x = value.float_or(fallback);
-        if (!(x > 0.0f)) value.fail("must be greater than 0");
-        return x;
-    };
-    if (type == "perspective") {
-        const JsonView p = source["perspective"];
-        camera.yfov_rad = positive(p["yfov"], 0.7f);
-        if (camera.yfov_rad >= 3.1f) p["yfov"].fail("must be less than pi");
-        camera.aspect = p["aspectRatio"].exists() ? positive(p["aspectRatio"], 1.0f) : 0.0f;
-        camera.znear_m = positive(p["znear"], 0.01f);
-        if (p["zfar"].exists()) camera.zfar_m = positive(p["zfar"], 1.0f);
-        if (camera.zfar_m <= camera.znear_m) p["zfar"].fail("must be greater than znear");
-    } else if (type == "orthographic") {
-        const JsonView o = source["orthographic"];
-        camera.projection = scene::Projection::orthographic;
-        camera.ymag_m = positive(o["ymag"], 1.0f);
-        camera.xmag_m = positive(o["xmag"], 1.0f);
-        camera.znear_m = std::max(o["znear"].float_or(0.0f), 0.0f);
-        camera.zfar_m = positive(o["zfar"], 100.0f);
-        if (camera.zfar_m <= camera.znear_m) o["zfar"].fail("must be greater than znear");
-    } else {
-        source["type"].fail("must be perspective or orthographic");
-    }
-    scene.cameras.push_back(camera);
-}
-
 scene::Scene build(const GltfDocument& document, const GltfOptions& options, Diagnostics& diagnostics) {
     check_extensions(document, diagnostics);
     scene::Scene scene;
     scene.name = document.name();
-    read_textures(document, scene);
-    for (std::uint32_t i = 0; i < document.count("materials"); ++i) {
-        scene.materials.push_back(read_material(document, i, diagnostics));
-    }
-    std::vector<Node> nodes = read_posed_nodes(document, options.time_s, diagnostics);
+    std::vector<Node> nodes = read_posed_nodes(document, options);
     GltfLights lights(document, options, diagnostics);
     Poser poser{document, nodes, scene, diagnostics};
     const std::map<std::uint32_t, Shown> shown = poser.place();
@@ -360,7 +290,8 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
         if (!nodes[i].name.empty()) scene.nodes.push_back({nodes[i].name, nodes[i].world});
         if (const auto found = shown.find(i); found != shown.end()) poser.add_instances(i, found->second);
         if (const auto camera = node["camera"].index_below(document.count("cameras"))) {
-            add_camera(document.element("cameras", *camera), nodes[i], scene);
+            if (const auto read = read_camera(document.element("cameras", *camera), nodes[i]))
+                scene.cameras.push_back(*read);
         }
         lights.add(node, nodes[i], scene);
     }
@@ -379,12 +310,13 @@ scene::Scene load_gltf(const std::filesystem::path& file, const GltfOptions& opt
         memory.require(size, "the file takes", file.string());
     const std::vector<std::byte> bytes = read_file(file, kMaxFileBytes);
     const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
-    return build(GltfDocument(bytes, file.string(), folder, memory), options, diagnostics);
+    return build(GltfDocument(bytes, file.string(), folder, diagnostics, memory), options, diagnostics);
 }
 
 scene::Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name,
                                    const GltfOptions& options, Diagnostics& diagnostics) {
-    return build(GltfDocument(bytes, name, std::nullopt, options.memory.value_or(scene::available_memory())),
+    return build(GltfDocument(bytes, name, std::nullopt, diagnostics,
+                              options.memory.value_or(scene::available_memory())),
                  options, diagnostics);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/memory_budget.hpp"
@@ -23,6 +24,7 @@ enum class GltfLightUnits : std::uint8_t {
 struct GltfOptions {
     float time_s =
         0.0f;  ///< animations, skins and morph targets are evaluated here; channels clamp at their ends
+    std::string animation;     ///< the one that plays, by name or number; empty: the first
     float light_scale = 1.0f;  ///< multiplies every light of the file
     GltfLightUnits light_units = GltfLightUnits::spec;
     StepFunction progress;                      ///< from any thread, one at a time

@@ -141,7 +141,7 @@ template <class Put>
 void visit(const GltfDocument& document, const JsonView& accessor, const Layout& layout, std::uint64_t count,
            const Put& put) {
     const std::size_t views = document.count("bufferViews");
-    if (const auto view = accessor["bufferView"].index_below(views)) {
+    if (const auto view = accessor["bufferView"].strict_index_below(views)) {
         read_elements(document, *view, accessor["byteOffset"].unsigned_or(0), count, layout, accessor, put);
     }
     const JsonView sparse = accessor["sparse"];
@@ -159,16 +159,19 @@ void visit(const GltfDocument& document, const JsonView& accessor, const Layout&
     }
     document.charge(changed * sizeof(std::size_t), sparse);
     std::vector<std::size_t> targets(static_cast<std::size_t>(changed));
-    read_elements(document, indices["bufferView"].required_index_below(views),
-                  indices["byteOffset"].unsigned_or(0), changed, index_layout, indices,
-                  [&](std::size_t i, std::size_t, double value) {
-                      if (value >= static_cast<double>(count)) indices.fail("an index is out of range");
-                      targets[i] = static_cast<std::size_t>(value);
-                  });
+    read_elements(
+        document, indices["bufferView"].required_index_below(views), indices["byteOffset"].unsigned_or(0),
+        changed, index_layout, indices, [&](std::size_t i, std::size_t, double value) {
+            if (value >= static_cast<double>(count))
+                indices.repaired("an index of a sparse accessor is out of range: its value is skipped");
+            targets[i] = static_cast<std::size_t>(value);
+        });
     const JsonView values = sparse["values"];
     read_elements(document, values["bufferView"].required_index_below(views),
                   values["byteOffset"].unsigned_or(0), changed, layout, values,
-                  [&](std::size_t i, std::size_t c, double value) { put(targets[i], c, value); });
+                  [&](std::size_t i, std::size_t c, double value) {
+                      if (targets[i] < count) put(targets[i], c, value);
+                  });
 }
 
 std::uint64_t checked_count(const JsonView& accessor) {
@@ -183,7 +186,7 @@ std::uint64_t checked_count(const JsonView& accessor) {
 /// bounded.
 void check_backing(const GltfDocument& document, const JsonView& accessor, const Layout& layout,
                    std::uint64_t count) {
-    if (const auto view = accessor["bufferView"].index_below(document.count("bufferViews"))) {
+    if (const auto view = accessor["bufferView"].strict_index_below(document.count("bufferViews"))) {
         const std::size_t bytes = document.buffer_view(*view).size();
         const std::size_t stride = document.buffer_view_stride(*view);
         const std::uint64_t step = stride ? stride : layout.element_bytes();

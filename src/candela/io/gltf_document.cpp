@@ -3,12 +3,14 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <charconv>
 
+#include "candela/io/data_uri.hpp"
+#include "candela/io/glb.hpp"
 #include "candela/io/image_read.hpp"
-#include "candela/io/inside_folder.hpp"
 #include "candela/io/json_reader.hpp"
+#include "candela/io/scene_uri.hpp"
+#include "candela/io/text_encoding.hpp"
 #include "candela/scene/error.hpp"
 
 namespace candela::io {
@@ -19,146 +21,121 @@ constexpr std::size_t kMaxBufferBytes = (std::size_t{1} << 32) - 1;
 /// normalized byte becomes a float, vertices are shared by primitives and split at seams.
 constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kBytesPerFileByte = 64;
-constexpr std::uint32_t kGlbMagic = 0x46546c67;  // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
-constexpr std::uint32_t kBinaryChunk = 0x004e4942;
 
-std::uint32_t word(std::span<const std::byte> bytes, std::size_t at) {
-    std::uint32_t w = 0;
-    std::memcpy(&w, bytes.data() + at, sizeof(w));
-    return w;
-}
-
-struct Chunks {
-    std::span<const std::byte> json;
-    std::span<const std::byte> binary;
-};
-
-Chunks split_glb(std::span<const std::byte> bytes, const std::string& name) {
-    if (bytes.size() < 20) throw input_error("truncated .glb: no room for its header", name);
-    if (word(bytes, 4) != 2) throw input_error("not version 2 of the .glb container", name);
-    const std::uint32_t length = word(bytes, 8);
-    if (length > bytes.size()) {
-        throw input_error(
-            "truncated .glb: " + std::to_string(bytes.size()) + " of " + std::to_string(length) + " bytes",
-            name);
-    }
-    Chunks chunks;
-    std::size_t at = 12;
-    while (at + 8 <= length) {
-        const std::uint32_t size = word(bytes, at);
-        const std::uint32_t kind = word(bytes, at + 4);
-        at += 8;
-        if (size > length - at) throw input_error("truncated .glb: a chunk passes the end of the file", name);
-        if (kind == kJsonChunk && chunks.json.empty()) chunks.json = bytes.subspan(at, size);
-        if (kind == kBinaryChunk && chunks.binary.empty()) chunks.binary = bytes.subspan(at, size);
-        at += (std::size_t{size} + 3) & ~std::size_t{3};
-    }
-    if (chunks.json.empty()) throw input_error("a .glb without a JSON chunk", name);
-    return chunks;
-}
-
-std::vector<std::byte> decode_base64(std::string_view text, const std::string& where) {
-    const auto value_of = [](char c) -> int {
-        if (c >= 'A' && c <= 'Z') return c - 'A';
-        if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-        if (c >= '0' && c <= '9') return c - '0' + 52;
-        if (c == '+' || c == '-') return 62;
-        if (c == '/' || c == '_') return 63;
-        return -1;
-    };
-    std::vector<std::byte> out;
-    out.reserve(text.size() / 4 * 3);
-    std::uint32_t bits = 0;
-    int count = 0;
-    const std::size_t padding = text.find('=');
-    if (padding != std::string_view::npos) {
-        if (text.size() - padding > 2 || text.find_first_not_of('=', padding) != std::string_view::npos)
-            throw input_error("broken base64 data", where);
-        text = text.substr(0, padding);
-    }
-    if (text.size() % 4 == 1) throw input_error("truncated base64 data", where);
-    for (const char c : text) {
-        const int value = value_of(c);
-        if (value < 0) throw input_error("broken base64 data", where);
-        bits = bits << 6 | static_cast<std::uint32_t>(value);
-        count += 6;
-        if (count >= 8) {
-            count -= 8;
-            out.push_back(static_cast<std::byte>(bits >> count & 0xff));
-        }
-    }
+/// "2.1" as 2 and 1; nullopt for what is no version.
+std::optional<std::pair<int, int>> parsed_version(const std::string& text) {
+    std::pair<int, int> out{0, 0};
+    const char* end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, out.first);
+    if (major.ec != std::errc{}) return std::nullopt;
+    if (major.ptr == end) return out;
+    if (*major.ptr != '.') return std::nullopt;
+    const auto minor = std::from_chars(major.ptr + 1, end, out.second);
+    if (minor.ec != std::errc{}) return std::nullopt;
     return out;
+}
+
+/// A version that is written as a number instead of a string.
+std::string version_text(const json& document, const char* key) {
+    const auto asset = document.find("asset");
+    if (asset == document.end() || !asset->is_object() || !asset->contains(key)) return "";
+    const json& value = (*asset)[key];
+    return value.is_number() ? value.dump() : value.is_string() ? value.get<std::string>() : "";
 }
 
 }  // namespace
 
 GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
-                           std::optional<std::filesystem::path> folder, const scene::MemoryBudget& memory)
-    : name_(std::move(name)), folder_(std::move(folder)), memory_(memory) {
-    Chunks chunks{bytes, {}};
+                           std::optional<std::filesystem::path> folder, Diagnostics& diagnostics,
+                           const scene::MemoryBudget& memory)
+    : name_(std::move(name)), folder_(std::move(folder)), diagnostics_(&diagnostics), memory_(memory) {
+    GlbChunks chunks{bytes, {}};
     if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
-    if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic)
-        chunks = split_glb(bytes, name_);
+    if (is_glb(bytes))
+        chunks = split_glb(bytes, name_, diagnostics);
     else if (is_binary(bytes))
         throw input_error("neither a .glb nor a .gltf file", name_);
-    json_ = parse_json(chunks.json, name_, false);
-    if (!json_.is_object()) throw input_error("not a glTF file: the JSON is not an object", name_);
-    const std::string version = root()["asset"]["version"].string_or("");
-    if (version.empty() || version[0] != '2') {
-        throw input_error("not glTF 2.0", name_ + ": /asset/version",
-                          version.empty() ? "every glTF file states its version" : "it says " + version);
+    std::string utf8;
+    const std::string_view text(reinterpret_cast<const char*>(chunks.json.data()), chunks.json.size());
+    if (!is_utf8(text)) {
+        utf8 = repaired_utf8(text);
+        chunks.json = std::as_bytes(std::span(utf8.data(), utf8.size()));
+        diagnostics.warn_at(name_, "text that is not UTF-8: read as Latin-1");
     }
+    json_ = parse_json(chunks.json, name_, false, 64, &diagnostics);
+    if (!json_.is_object()) throw input_error("not a glTF file: the JSON is not an object", name_);
+    check_version();
     // Also what this scene happens not to use: a list of the wrong type is a broken file, not an empty list.
     for (const char* list : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes", "materials",
                              "textures", "images", "samplers", "skins", "cameras", "animations"}) {
-        (void)count(list);
+        if (array(list).exists() && !array(list).is_array()) array(list).fail("must be an array");
     }
     file_bytes_ = bytes.size();
-    load_buffers(chunks.binary);
+    binary_chunk_ = chunks.binary;
+    buffers_.resize(count("buffers"));
     decompressed_.resize(count("bufferViews"));
 }
 
-std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& where) const {
-    if (uri.starts_with("data:")) {
-        const std::size_t comma = uri.find(',');
-        if (comma == std::string::npos || uri.substr(0, comma).find(";base64") == std::string::npos) {
-            throw input_error("data URI without base64", where);
-        }
-        return decode_base64(std::string_view(uri).substr(comma + 1), where);
+void GltfDocument::check_version() const {
+    const std::string place = name_ + ": /asset/";
+    const std::string text = version_text(json_, "version"), least = version_text(json_, "minVersion");
+    const auto version = parsed_version(text);
+    if (!version || version->first != 2) {
+        throw input_error("not glTF 2.0", place + "version",
+                          text.empty() ? "every glTF file states its version" : "it says " + text);
     }
-    if (!folder_) throw input_error("names an external file, but the scene was read from memory", where);
-    return read_file(inside_folder(*folder_, uri, where), kMaxBufferBytes);
+    const auto needed = parsed_version(least);
+    if (needed && *needed > std::pair(2, 0))
+        throw input_error("the file needs glTF " + least, place + "minVersion", "glTF 2.0 is read");
+    if (!least.empty() && !needed)
+        diagnostics_->warn_at(place + "minVersion", "is no version: read as absent");
+    if (*version != std::pair(2, 0))
+        diagnostics_->warn_at(place + "version", "is " + text + ": what glTF 2.0 has of it is drawn");
+    if (json_["asset"]["version"].is_number())
+        diagnostics_->warn_at(place + "version", "must be a string: the number is read as one");
 }
 
-void GltfDocument::load_buffers(std::span<const std::byte> binary_chunk) {
-    const std::size_t total = count("buffers");
-    for (std::size_t i = 0; i < total; ++i) {
-        const JsonView buffer = element("buffers", i);
-        const std::uint64_t length = buffer["byteLength"].unsigned_or(0);
-        const JsonView uri = buffer["uri"];
-        const bool fallback = buffer["extensions"]["EXT_meshopt_compression"]["fallback"].bool_or(false);
-        std::span<const std::byte> bytes;
-        if (uri.exists()) {
-            bytes = owned_.emplace_back(read_uri(uri.string_or(""), uri.where()));
-        } else if (i == 0 && !binary_chunk.empty()) {
-            bytes = binary_chunk;
-        } else if (!fallback && length > 0) {
-            buffer.fail("a buffer without data", "it needs a uri, or the .glb's binary chunk");
-        }
-        if (!fallback && bytes.size() < length) {
-            buffer["byteLength"].fail("promises " + std::to_string(length) + " bytes, there are " +
-                                      std::to_string(bytes.size()));
-        }
-        file_bytes_ += bytes.size();
-        reserve(bytes.size(), buffer);
-        buffers_.push_back(bytes);
+void GltfDocument::check_uri(const std::string& uri, const std::string& where) const {
+    if (uri.starts_with("data:") || is_web_uri(uri) || uri.empty() || !folder_) return;
+    Diagnostics said_later;
+    (void)file_of_scene_uri(*folder_, uri, where, said_later);
+}
+
+std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& where,
+                                              Diagnostics& diagnostics) const {
+    if (uri.starts_with("data:")) return decode_data_uri(uri, where, diagnostics);
+    if (!folder_) throw input_error("names an external file, but the scene was read from memory", where);
+    return read_file(file_of_scene_uri(*folder_, uri, where, diagnostics), kMaxBufferBytes);
+}
+
+std::span<const std::byte> GltfDocument::buffer(std::uint32_t index) const {
+    if (buffers_[index]) return *buffers_[index];
+    const JsonView json_buffer = element("buffers", index);
+    const std::uint64_t length = json_buffer["byteLength"].unsigned_or(0);
+    const JsonView uri = json_buffer["uri"];
+    std::span<const std::byte> bytes;
+    if (uri.exists()) {
+        bytes = owned_.emplace_back(read_uri(uri.string_or(""), uri.where(), *diagnostics_));
+    } else if (index == 0 && !binary_chunk_.empty()) {
+        bytes = binary_chunk_;
+    } else {
+        json_buffer.fail("a buffer without data", "it needs a uri, or the .glb's binary chunk");
     }
+    if (bytes.size() < length) {
+        diagnostics_->warn_at(json_buffer["byteLength"].where(),
+                              "promises " + std::to_string(length) + " bytes, there are " +
+                                  std::to_string(bytes.size()) + ": what is there is read");
+    }
+    file_bytes_ += bytes.size();
+    reserve(bytes.size(), json_buffer);
+    buffers_[index] = bytes;
+    return bytes;
 }
 
 void GltfDocument::charge(std::uint64_t bytes, const JsonView& where) const {
     const std::uint64_t most = kFreeBytes + kBytesPerFileByte * file_bytes_;
     if (bytes > most || charged_bytes_ > most - bytes) {
+        out_of_memory_ = true;
         where.fail("the scene takes more memory than files of " + std::to_string(file_bytes_) +
                    " bytes can need");
     }
@@ -172,15 +149,20 @@ void GltfDocument::reserve(std::uint64_t bytes, const JsonView& where) const {
 }
 
 std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
-    const std::uint32_t buffer = view["buffer"].required_index_below(buffers_.size());
+    const std::span<const std::byte> bytes = buffer(view["buffer"].required_index_below(buffers_.size()));
     const std::uint64_t offset = view["byteOffset"].unsigned_or(0);
     const std::uint64_t length = view["byteLength"].unsigned_or(0);
-    const std::span<const std::byte> bytes = buffers_[buffer];
-    if (offset > bytes.size() || length > bytes.size() - offset) {
-        view.fail("passes the end of its buffer: " + std::to_string(offset) + " + " + std::to_string(length) +
-                  " of " + std::to_string(bytes.size()) + " bytes");
+    if (offset > bytes.size()) {
+        view.fail("starts behind the end of its buffer: byte " + std::to_string(offset) + " of " +
+                  std::to_string(bytes.size()));
     }
-    return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+    const std::uint64_t there = bytes.size() - offset;
+    if (length > there) {
+        diagnostics_->warn_at(view.where(), "passes the end of its buffer by " +
+                                                std::to_string(length - there) +
+                                                " bytes: what is there is read");
+    }
+    return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(std::min(length, there)));
 }
 
 std::span<const std::byte> GltfDocument::buffer_view(std::uint32_t index) const {

@@ -23,12 +23,14 @@ class GltfLights {
     void add_punctual(const JsonView& source, const Node& posed, scene::Scene& scene) const;
     void add_area(const JsonView& source, const Node& posed, scene::Scene& scene) const;
     void add_profile(const JsonView& use, const Node& posed, scene::Light* punctual, scene::Scene& scene);
-    std::uint32_t profile(const JsonView& use, scene::Scene& scene);
+    [[nodiscard]] scene::PhotometricProfile read_profile(const JsonView& source) const;
+    /// Of Scene::profiles; nullopt, with a warning, for one that cannot be read.
+    std::optional<std::uint32_t> profile(const JsonView& use, scene::Scene& scene);
 
     const GltfDocument& document_;
     const GltfOptions& options_;
     Diagnostics& diagnostics_;
-    std::map<std::uint32_t, std::uint32_t> profiles_;  // of the file to Scene::profiles
+    std::map<std::uint32_t, std::optional<std::uint32_t>> profiles_;  // of the file to Scene::profiles
 };
 
 }  // namespace candela::io

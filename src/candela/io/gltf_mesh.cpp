@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "candela/io/gltf_accessor.hpp"
 #include "candela/scene/error.hpp"
@@ -28,6 +29,9 @@ class Attributes {
         if (draco.exists()) draco_ = decode_draco(document, draco);
     }
 
+    [[nodiscard]] bool has(const std::string& name) const {
+        return (draco_ && draco_->find(name)) || attributes_[name.c_str()].exists();
+    }
     /// Null where there is none.
     [[nodiscard]] std::shared_ptr<const AccessorData> read(const char* name) const {
         if (draco_) {
@@ -36,8 +40,24 @@ class Attributes {
                     AccessorData{draco_->vertices, a->components, false, a->values});
             }
         }
-        const auto index = attributes_[name].index_below(document_.count("accessors"));
+        const auto index = attributes_[name].strict_index_below(document_.count("accessors"));
         return index ? accessors_.read(*index) : nullptr;
+    }
+    /// Calls use(data, where) with an attribute that the primitive can be drawn without; one that is broken
+    /// is left out, with a warning.
+    template <class Use>
+    void optional(const std::string& name, std::size_t count, const Use& use) const {
+        if (!has(name)) return;
+        const JsonView view = attributes_[name.c_str()];
+        document_.try_to_read(view, "drawn without it", [&] {
+            const auto data = read(name.c_str());
+            if (data->count != count) {
+                throw input_error("has " + std::to_string(data->count) + " elements for " +
+                                      std::to_string(count) + " vertices",
+                                  view.where());
+            }
+            use(*data, view.where());
+        });
     }
     [[nodiscard]] std::string where(const char* name) const { return attributes_.where() + "/" + name; }
     [[nodiscard]] const std::optional<DracoGeometry>& draco() const { return draco_; }
@@ -56,14 +76,6 @@ struct Vertices {
     [[nodiscard]] std::size_t size() const { return used.empty() ? count : used.size(); }
 };
 
-void expect_count(const AccessorData& data, const Vertices& vertices, const std::string& where) {
-    if (data.count != vertices.count) {
-        throw input_error("has " + std::to_string(data.count) + " elements for " +
-                              std::to_string(vertices.count) + " vertices",
-                          where);
-    }
-}
-
 template <class Vec>
 bool all_finite(const std::vector<Vec>& values) {
     return std::all_of(values.begin(), values.end(), [](const Vec& v) {
@@ -74,25 +86,47 @@ bool all_finite(const std::vector<Vec>& values) {
     });
 }
 
-/// Loops and strips of lines as pairs of ends.
-std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& in, std::uint64_t mode) {
-    if (mode < kLineLoop) return {in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 2 * 2)};
+/// Loops and strips of lines as pairs of ends, without those that refer to a vertex that is not there.
+std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& in, std::uint64_t mode,
+                                       std::size_t vertices) {
     std::vector<std::uint32_t> out;
-    for (std::size_t i = 1; i < in.size(); ++i) out.insert(out.end(), {in[i - 1], in[i]});
-    if (mode == kLineLoop && in.size() > 2) out.insert(out.end(), {in.back(), in.front()});
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+        if (a < vertices && b < vertices) out.insert(out.end(), {a, b});
+    };
+    const std::size_t step = mode < kLineLoop ? 2 : 1;
+    for (std::size_t i = 1; i < in.size(); i += step) add(in[i - 1], in[i]);
+    if (mode == kLineLoop && in.size() > 2) add(in.back(), in.front());
     return out;
 }
 
-/// Strips, loops and fans as lists; glTF 2.0, 3.7.2.1.
-std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& in, std::uint64_t mode) {
-    if (mode == kPoints) return in;
-    if (mode <= kLineStrip) return as_segments(in, mode);
-    if (mode == kTriangles) return {in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 3 * 3)};
+/// Strips, loops and fans as lists (glTF 2.0, 3.7.2.1). What refers to a vertex that is not there is left out; in
+/// a strip or fan of triangles another one starts behind such an index.
+std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& in, std::uint64_t mode,
+                                   std::size_t vertices) {
+    if (mode == kPoints) {
+        std::vector<std::uint32_t> points;
+        std::copy_if(in.begin(), in.end(), std::back_inserter(points),
+                     [&](std::uint32_t i) { return i < vertices; });
+        return points;
+    }
+    if (mode <= kLineStrip) return as_segments(in, mode, vertices);
     std::vector<std::uint32_t> out;
-    for (std::size_t i = 2; i < in.size(); ++i) {
+    out.reserve(mode == kTriangles ? in.size() : 3 * in.size());
+    const auto there = [&](std::size_t i) { return in[i] < vertices; };
+    if (mode == kTriangles) {
+        for (std::size_t i = 0; i + 2 < in.size(); i += 3) {
+            if (there(i) && there(i + 1) && there(i + 2))
+                out.insert(out.end(), {in[i], in[i + 1], in[i + 2]});
+        }
+        return out;
+    }
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        if (!there(i)) first = i + 1;
+        if (i < first + 2) continue;
         if (mode == kTriangleFan) {
-            out.insert(out.end(), {in[i - 1], in[i], in[0]});
-        } else if (i % 2 == 0) {
+            out.insert(out.end(), {in[i - 1], in[i], in[first]});
+        } else if ((i - first) % 2 == 0) {
             out.insert(out.end(), {in[i - 2], in[i - 1], in[i]});
         } else {
             out.insert(out.end(), {in[i - 2], in[i], in[i - 1]});
@@ -111,19 +145,17 @@ std::vector<std::uint32_t> read_triangles(const GltfDocument& document, const Js
         return indices;
     }
     std::vector<std::uint32_t> raw;
-    if (const auto index = source["indices"].index_below(document.count("accessors"))) {
+    const JsonView indices = source["indices"];
+    if (const auto index = indices.is_negative() ? indices.index_below(0)
+                                                 : indices.strict_index_below(document.count("accessors"))) {
         raw = read_indices(document, *index);
     } else {
         raw.resize(vertices);
         for (std::uint32_t i = 0; i < raw.size(); ++i) raw[i] = i;
     }
-    for (const std::uint32_t i : raw) {
-        if (i >= vertices) {
-            source["indices"].fail("vertex " + std::to_string(i) + " is out of range: there are " +
-                                   std::to_string(vertices));
-        }
-    }
-    return as_list(raw, mode);
+    if (std::any_of(raw.begin(), raw.end(), [&](std::uint32_t i) { return i >= vertices; }))
+        indices.repaired("refers to vertices that are not there: those triangles are skipped");
+    return as_list(raw, mode, vertices);
 }
 
 /// Which of the vertices the indices use; the indices then count among those. Exporters let hundreds of
@@ -150,29 +182,52 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::siz
     return used;
 }
 
-void read_skin(const Attributes& attributes, const Vertices& vertices, SourcePrimitive& out,
-               Diagnostics& diagnostics) {
-    const auto joints = attributes.read("JOINTS_0");
-    const auto weights = attributes.read("WEIGHTS_0");
-    if (!joints || !weights) return;
-    if (attributes.read("JOINTS_1"))
-        diagnostics.warn("more than four joints a vertex: the first four are used");
-    expect_count(*joints, vertices, attributes.where("JOINTS_0"));
-    expect_count(*weights, vertices, attributes.where("WEIGHTS_0"));
-    const std::vector<glm::vec4> j = as_vec4(*joints, attributes.where("JOINTS_0"), 0.0f, vertices.used);
-    out.weights = as_vec4(*weights, attributes.where("WEIGHTS_0"), 0.0f, vertices.used);
-    for (const glm::vec4& v : j) {
-        std::array<std::uint32_t, 4> four{};
-        for (int c = 0; c < 4; ++c)
-            // Written so that a NaN (Draco may hold floats) is joint 0: its conversion is undefined.
-            four[static_cast<std::size_t>(c)] =
-                v[c] > 0.0f ? static_cast<std::uint32_t>(std::min(v[c], 65535.0f)) : 0u;
-        out.joints.push_back(four);
+std::array<std::uint32_t, 4> joints_of(const glm::vec4& v) {
+    std::array<std::uint32_t, 4> four{};
+    for (int c = 0; c < 4; ++c)
+        // Written so that a NaN (Draco may hold floats) is joint 0: its conversion is undefined.
+        four[static_cast<std::size_t>(c)] =
+            v[c] > 0.0f ? static_cast<std::uint32_t>(std::min(v[c], 65535.0f)) : 0u;
+    return four;
+}
+
+/// The weights of a vertex over all its sets add up to 1.
+void normalize_weights(SourcePrimitive& out, const JsonView& source) {
+    bool zero = false;
+    for (std::size_t i = 0; i < out.influences.front().weights.size(); ++i) {
+        float sum = 0.0f;
+        for (SourcePrimitive::Influences& set : out.influences) {
+            glm::vec4& w = set.weights[i];
+            for (int c = 0; c < 4; ++c) w[c] = std::isfinite(w[c]) ? std::max(w[c], 0.0f) : 0.0f;
+            sum += w.x + w.y + w.z + w.w;
+        }
+        if (!(sum > 0.0f) || !std::isfinite(sum)) {
+            zero = true;
+            for (SourcePrimitive::Influences& set : out.influences) set.weights[i] = glm::vec4(0.0f);
+            out.influences.front().weights[i].x = sum = 1.0f;
+        }
+        for (SourcePrimitive::Influences& set : out.influences) set.weights[i] /= sum;
     }
-    for (glm::vec4& w : out.weights) {
-        const float sum = w.x + w.y + w.z + w.w;
-        if (sum > 0.0f) w /= sum;
+    if (zero) source.repaired("has vertices whose weights are all 0: their first joint moves them");
+}
+
+void read_skin(const Attributes& attributes, const JsonView& source, const Vertices& vertices,
+               SourcePrimitive& out) {
+    for (std::size_t n = 0;; ++n) {
+        const std::string joints = "JOINTS_" + std::to_string(n), weights = "WEIGHTS_" + std::to_string(n);
+        if (!attributes.has(joints) || !attributes.has(weights)) break;
+        SourcePrimitive::Influences set;
+        attributes.optional(joints, vertices.count, [&](const AccessorData& data, const std::string& where) {
+            for (const glm::vec4& v : as_vec4(data, where, 0.0f, vertices.used))
+                set.joints.push_back(joints_of(v));
+        });
+        attributes.optional(weights, vertices.count, [&](const AccessorData& data, const std::string& where) {
+            set.weights = as_vec4(data, where, 0.0f, vertices.used);
+        });
+        if (set.joints.empty() || set.weights.empty()) break;
+        out.influences.push_back(std::move(set));
     }
+    if (!out.influences.empty()) normalize_weights(out, source);
 }
 
 void read_targets(const GltfDocument& document, AccessorCache& accessors, const JsonView& source,
@@ -182,11 +237,16 @@ void read_targets(const GltfDocument& document, AccessorCache& accessors, const 
         SourcePrimitive::MorphTarget target;
         const JsonView attributes = targets[t];
         const auto read = [&](const char* name, std::vector<glm::vec3>& to) {
-            const auto index = attributes[name].index_below(document.count("accessors"));
+            const JsonView view = attributes[name];
+            const auto index = view.index_below(document.count("accessors"));
             if (!index) return;
-            const auto data = accessors.read(*index);
-            expect_count(*data, vertices, attributes.where() + "/" + name);
-            to = as_vec3(*data, attributes.where() + "/" + name, vertices.used);
+            document.try_to_read(view, "drawn without it", [&] {
+                const auto data = accessors.read(*index);
+                if (data->count != vertices.count)
+                    view.fail("has " + std::to_string(data->count) + " elements for " +
+                              std::to_string(vertices.count) + " vertices");
+                to = as_vec3(*data, view.where(), vertices.used);
+            });
         };
         read("POSITION", target.positions);
         read("NORMAL", target.normals);
@@ -195,45 +255,46 @@ void read_targets(const GltfDocument& document, AccessorCache& accessors, const 
     }
 }
 
-void read_attributes(const Attributes& attributes, const Vertices& vertices, scene::Primitive& p,
-                     SourcePrimitive& out) {
+/// `uv_sets`: which of the file's sets the material reads.
+void read_attributes(const Attributes& attributes, const Vertices& vertices, const UvSets& uv_sets,
+                     scene::Primitive& p, SourcePrimitive& out) {
     const auto& rows = vertices.used;
-    if (const auto normals = attributes.read("NORMAL")) {
-        expect_count(*normals, vertices, attributes.where("NORMAL"));
-        p.normals = as_vec3(*normals, attributes.where("NORMAL"), rows);
+    using Where = std::string;
+    attributes.optional("NORMAL", vertices.count, [&](const AccessorData& data, const Where& where) {
+        p.normals = as_vec3(data, where, rows);
         for (glm::vec3& n : p.normals) {
             const float length = glm::length(n);
             n = length > 0.0f && std::isfinite(length) ? n / length : glm::vec3(0, 0, 1);
         }
         out.had_normals = true;
-    }
-    if (const auto tangents = attributes.read("TANGENT"); tangents && out.had_normals) {
-        expect_count(*tangents, vertices, attributes.where("TANGENT"));
-        p.tangents = as_vec4(*tangents, attributes.where("TANGENT"), 1.0f, rows);
-        if (!all_finite(p.tangents)) p.tangents.clear();
+    });
+    if (out.had_normals) {
+        attributes.optional("TANGENT", vertices.count, [&](const AccessorData& data, const Where& where) {
+            p.tangents = as_vec4(data, where, 1.0f, rows);
+            if (!all_finite(p.tangents)) p.tangents.clear();
+        });
     }
     for (std::size_t set = 0; set < p.uv.size(); ++set) {
-        const std::string name = "TEXCOORD_" + std::to_string(set);
-        if (const auto uv = attributes.read(name.c_str())) {
-            expect_count(*uv, vertices, attributes.where(name.c_str()));
-            p.uv[set] = as_vec2(*uv, attributes.where(name.c_str()), rows);
+        const std::string name = "TEXCOORD_" + std::to_string(uv_sets[set]);
+        attributes.optional(name, vertices.count, [&](const AccessorData& data, const Where& where) {
+            p.uv[set] = as_vec2(data, where, rows);
             for (glm::vec2& v : p.uv[set]) {
                 if (!std::isfinite(v.x) || !std::isfinite(v.y)) v = glm::vec2(0.0f);
             }
-        }
+        });
     }
-    if (const auto colors = attributes.read("COLOR_0")) {
-        expect_count(*colors, vertices, attributes.where("COLOR_0"));
-        p.colors = as_vec4(*colors, attributes.where("COLOR_0"), 1.0f, rows);
+    attributes.optional("COLOR_0", vertices.count, [&](const AccessorData& data, const Where& where) {
+        p.colors = as_vec4(data, where, 1.0f, rows);
         // Colours are multipliers of an albedo: above 1 a surface would make light.
         for (glm::vec4& c : p.colors) {
             for (int i = 0; i < 4; ++i) c[i] = std::isfinite(c[i]) ? std::clamp(c[i], 0.0f, 1.0f) : 1.0f;
         }
-    }
+    });
 }
 
 std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, AccessorCache& accessors,
-                                              const JsonView& source, Diagnostics& diagnostics) {
+                                              GltfMaterials& materials, const JsonView& source,
+                                              Diagnostics& diagnostics) {
     const std::uint64_t mode = source["mode"].unsigned_or(kTriangles);
     if (mode > kTriangleFan) source["mode"].fail("is not a primitive mode of glTF");
     const Attributes attributes(document, accessors, source);
@@ -260,24 +321,24 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, Acce
         return std::nullopt;
     }
     for (const glm::vec3& x : p.positions) p.bounds.extend(x);
-    read_attributes(attributes, vertices, p, out);
-    read_skin(attributes, vertices, out, diagnostics);
-    read_targets(document, accessors, source, vertices, out);
     if (const auto material = source["material"].index_below(document.count("materials")))
         p.material = *material;
+    read_attributes(attributes, vertices, materials.uv_sets(p.material), p, out);
+    read_skin(attributes, source, vertices, out);
+    read_targets(document, accessors, source, vertices, out);
     return out;
 }
 
 }  // namespace
 
-SourceMesh read_mesh(const GltfDocument& document, AccessorCache& accessors, std::uint32_t index,
-                     Diagnostics& diagnostics) {
+SourceMesh read_mesh(const GltfDocument& document, AccessorCache& accessors, GltfMaterials& materials,
+                     std::uint32_t index, Diagnostics& diagnostics) {
     const JsonView mesh = document.element("meshes", index);
     SourceMesh out;
     out.name = mesh["name"].string_or("");
     const JsonView primitives = mesh["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-        if (auto primitive = read_primitive(document, accessors, primitives[i], diagnostics))
+        if (auto primitive = read_primitive(document, accessors, materials, primitives[i], diagnostics))
             out.primitives.push_back(std::move(*primitive));
     }
     out.weights.resize(mesh["weights"].size());

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "candela/io/gltf_accessor.hpp"
+#include "candela/io/gltf_material.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -11,9 +12,12 @@ namespace candela::io {
 /// vertices that its triangles use.
 struct SourcePrimitive {
     scene::Primitive primitive;
-    std::vector<std::array<std::uint32_t, 4>>
-        joints;  ///< of the first four influences; empty when not skinned
-    std::vector<glm::vec4> weights;
+    /// JOINTS_n and WEIGHTS_n.
+    struct Influences {
+        std::vector<std::array<std::uint32_t, 4>> joints;
+        std::vector<glm::vec4> weights;
+    };
+    std::vector<Influences> influences;  ///< one for each n, their weights add up to 1; empty: not skinned
     struct MorphTarget {
         std::vector<glm::vec3> positions;
         std::vector<glm::vec3> normals;
@@ -33,7 +37,7 @@ struct SourceMesh {
 /// Reads a mesh; primitives without area or with broken numbers are dropped with a warning. Materials are
 /// indices into the document's materials; no_index where there is none.
 [[nodiscard]] SourceMesh read_mesh(const GltfDocument& document, AccessorCache& accessors,
-                                   std::uint32_t index, Diagnostics& diagnostics);
+                                   GltfMaterials& materials, std::uint32_t index, Diagnostics& diagnostics);
 
 /// Attributes of a KHR_draco_mesh_compression primitive, by glTF name, and its indices.
 struct DracoAttribute {

@@ -25,14 +25,27 @@ void morph(const SourcePrimitive& source, const std::vector<float>& weights, sce
     }
 }
 
-void skin(const SourcePrimitive& source, const std::vector<glm::dmat4>& joints, scene::Primitive& p) {
-    if (source.joints.empty()) return;
-    for (std::size_t i = 0; i < p.positions.size(); ++i) {
-        glm::dmat4 exact(0.0);
+/// Joints that the skin does not have are left out; the weights of the others add up to 1.
+glm::dmat4 joint_of_vertex(const SourcePrimitive& source, std::size_t vertex,
+                           const std::vector<glm::dmat4>& joints) {
+    glm::dmat4 sum(0.0);
+    double weights = 0.0;
+    for (const SourcePrimitive::Influences& set : source.influences) {
         for (std::size_t c = 0; c < 4; ++c) {
-            const std::size_t joint = std::min<std::size_t>(source.joints[i][c], joints.size() - 1);
-            exact += static_cast<double>(source.weights[i][static_cast<int>(c)]) * joints[joint];
+            const std::size_t joint = set.joints[vertex][c];
+            const double weight = set.weights[vertex][static_cast<int>(c)];
+            if (weight == 0.0 || joint >= joints.size()) continue;
+            sum += weight * joints[joint];
+            weights += weight;
         }
+    }
+    return weights > 0.0 ? sum / weights : joints.front();
+}
+
+void skin(const SourcePrimitive& source, const std::vector<glm::dmat4>& joints, scene::Primitive& p) {
+    if (source.influences.empty()) return;
+    for (std::size_t i = 0; i < p.positions.size(); ++i) {
+        const glm::dmat4 exact = joint_of_vertex(source, i, joints);
         p.positions[i] = glm::vec3(exact * glm::dvec4(p.positions[i], 1.0));
         const glm::mat4 m(exact);
         if (!p.normals.empty()) {

@@ -3,6 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "candela/io/gltf.hpp"
 #include "candela/io/gltf_mesh.hpp"
 
 namespace candela::io {
@@ -21,10 +22,12 @@ struct Node {
     bool reachable = false;  ///< from the scene's roots
 };
 
-/// Reads every node, checks that the hierarchy is a forest (no cycles, one parent each), and poses it at
-/// `time_s`; `world` is still about the world's origin.
-[[nodiscard]] std::vector<Node> read_posed_nodes(const GltfDocument& document, float time_s,
-                                                 Diagnostics& diagnostics);
+/// Reads every node and poses it at the options' time by one animation; each node has one parent then.
+/// `world` is still about the world's origin. Throws Error for cycles and an animation that is not there.
+[[nodiscard]] std::vector<Node> read_posed_nodes(const GltfDocument& document, const GltfOptions& options);
+
+/// Moves the nodes as the animation that the options name does at their time.
+void animate(const GltfDocument& document, const GltfOptions& options, std::vector<Node>& nodes);
 
 /// Joint matrices of a skin, to the world.
 [[nodiscard]] std::vector<glm::dmat4> joint_matrices(const GltfDocument& document, std::uint32_t skin,

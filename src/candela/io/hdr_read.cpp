@@ -1,5 +1,6 @@
 #include "candela/io/hdr_read.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -73,6 +74,8 @@ std::vector<float> numbers(const std::string& text) {
 
 void check_primaries(const std::vector<float>& values, const std::string& where, Diagnostics& diagnostics) {
     constexpr std::array<float, 8> rec709{0.640f, 0.330f, 0.300f, 0.600f, 0.150f, 0.060f, 0.3127f, 0.3290f};
+    // Some writers leave the field there and empty.
+    if (std::all_of(values.begin(), values.end(), [](float v) { return v == 0.0f; })) return;
     bool same = values.size() == rec709.size();
     for (std::size_t i = 0; same && i < rec709.size(); ++i) same = std::abs(values[i] - rec709[i]) < 0.002f;
     if (!same) diagnostics.warn(where + ": its primaries are not Rec.709's; they are read as if they were");

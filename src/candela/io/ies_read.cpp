@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
+#include <optional>
+#include <sstream>
 
-#include "candela/io/inside_folder.hpp"
 #include "candela/io/photometric_read.hpp"
+#include "candela/io/scene_uri.hpp"
+#include "candela/scene/error.hpp"
 
 /// IES LM-63, revisions 1986 to 2019. Sources: ANSI/IESNA LM-63-02; I. Ashdown, "Parsing the IESNA LM-63
 /// photometric data file", 1998, for the older ones.
@@ -16,24 +20,44 @@ using scene::PhotometricType;
 constexpr double kFoot_m = 0.3048;
 
 struct Standard {
-    const char* first_line;
+    int year;
     const char* name;
 };
-constexpr Standard kStandards[] = {{"IESNA86", "LM-63-1986"},          {"IESNA:LM-63-1986", "LM-63-1986"},
-                                   {"IESNA91", "LM-63-1991"},          {"IESNA:LM-63-1995", "LM-63-1995"},
-                                   {"IESNA:LM-63-2002", "LM-63-2002"}, {"IES:LM-63-2019", "LM-63-2019"}};
+constexpr Standard kStandards[] = {{1986, "LM-63-1986"},
+                                   {1991, "LM-63-1991"},
+                                   {1995, "LM-63-1995"},
+                                   {2002, "LM-63-2002"},
+                                   {2019, "LM-63-2019"}};
+
+/// The year of "IESNA91" and "IESNA:LM-63-1995", in two or four digits, or 0.
+int year_of(std::string_view first_line) {
+    constexpr std::string_view keyword = "LM-63-";
+    const std::size_t at = first_line.find(keyword);
+    if (at == std::string_view::npos && !first_line.starts_with("IESNA")) return 0;
+    std::string_view rest = first_line.substr(at == std::string_view::npos ? 5 : at + keyword.size());
+    int year = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), year);
+    const auto digits = end - rest.data();
+    if (error != std::errc{} || (digits != 2 && digits != 4)) return 0;
+    if (digits == 4) return year;
+    return year + (year < 86 ? 2000 : 1900);
+}
 
 /// The first line of a file of 1986 is any label.
 std::string standard_of(std::string_view first_line, const std::string& where, Diagnostics& diagnostics) {
+    if (!first_line.starts_with("IES")) return "LM-63-1986";
+    const int year = year_of(first_line);
+    const char* name = year == 0 ? "LM-63-2002" : kStandards[0].name;
+    bool known = false;
     for (const Standard& s : kStandards) {
-        if (first_line.starts_with(s.first_line)) return s.name;
+        if (year >= s.year) name = s.name;
+        known = known || year == s.year;
     }
-    if (first_line.starts_with("IES")) {
+    if (!known) {
         diagnostics.warn(where + ": unknown revision " + std::string(first_line.substr(0, 40)) +
-                         "; read as LM-63-2002");
-        return "LM-63-2002";
+                         "; read as " + name);
     }
-    return "LM-63-1986";
+    return name;
 }
 
 std::string upper(std::string_view text) {
@@ -65,13 +89,49 @@ const std::string* keyword(const PhotometricProfile& profile, const char* key) {
     return nullptr;
 }
 
+/// LM-63 separates numbers by blanks or commas. They are decimal commas where every comma stands between two
+/// digits, at most one to a word, no number has a point, and only then as many numbers are there as the
+/// header counts.
+bool has_decimal_commas(const std::string& numbers, bool tilt_included) {
+    std::vector<std::string> words;
+    std::istringstream stream(numbers);
+    for (std::string word; stream >> word;) words.push_back(word);
+    const auto digit = [](const std::string& w, std::size_t i) {
+        return i < w.size() && std::isdigit(static_cast<unsigned char>(w[i]));
+    };
+    bool commas = false;
+    for (std::string& word : words) {
+        const std::size_t comma = word.find(',');
+        if (word.find('.') != std::string::npos) return false;
+        if (comma == std::string::npos) continue;
+        if (comma == 0 || !digit(word, comma - 1) || !digit(word, comma + 1)) return false;
+        if (word.find(',', comma + 1) != std::string::npos) return false;
+        word[comma] = '.';
+        commas = true;
+    }
+    const auto count = [&](std::size_t at) -> std::size_t {
+        const auto value = at < words.size() ? parsed_number(words[at]) : std::nullopt;
+        return value && *value >= 1.0 && *value < 1e6 && *value == std::floor(*value) ? std::size_t(*value)
+                                                                                      : 0;
+    };
+    std::size_t at = 0;
+    if (tilt_included) at = 2 + 2 * count(1);
+    const std::size_t vertical = count(at + 3), horizontal = count(at + 4);
+    constexpr std::size_t header = 13;
+    return commas && vertical > 0 && horizontal > 0 &&
+           words.size() >= at + header + vertical + horizontal + vertical * horizontal;
+}
+
 /// Reads up to TILT= and returns what follows it.
 std::string_view read_labels(PhotometricText& text, PhotometricProfile& profile, Diagnostics& diagnostics) {
-    constexpr std::string_view tilt = "TILT=";
     bool first = true;
     while (true) {
         const std::string_view line = text.line("the line TILT=");
-        if (upper(line.substr(0, tilt.size())) == tilt) return trimmed(line.substr(tilt.size()));
+        if (const auto tilt = behind_tilt(line)) {
+            if (!line.starts_with("TILT="))
+                diagnostics.warn_at(text.place(), "a TILT line that is not written TILT=: read as one");
+            return *tilt;
+        }
         if (first) profile.standard = standard_of(line, text.where(), diagnostics);
         if (!first || profile.standard == "LM-63-1986") add_keyword(line, profile);
         first = false;
@@ -105,9 +165,16 @@ void read_tilt(PhotometricText& text, std::string_view name, const std::filesyst
                          ": TILT names a file, which an embedded profile has none of; not read");
         return;
     }
-    const std::filesystem::path file = inside_folder(folder, std::string(name), text.place());
-    PhotometricText tilt(read_photometric_text(file), file.string());
-    profile.tilt = read_tilt_table(tilt);
+    const std::filesystem::path file =
+        file_of_scene_uri(folder, std::string(name), text.place(), diagnostics);
+    try {
+        PhotometricText tilt(read_photometric_text(file), file.string());
+        profile.tilt = read_tilt_table(tilt);
+    } catch (const Error& error) {
+        // The table is about other positions than the one that was measured: the intensities stay.
+        if (error.fault() != Fault::input) throw;
+        diagnostics.warn_at(error.where(), std::string(error.what()) + ": drawn without the TILT file");
+    }
 }
 
 double read_positive(PhotometricText& text, const char* what) {
@@ -213,11 +280,23 @@ void describe(PhotometricProfile& profile) {
 
 }  // namespace
 
+std::optional<std::string_view> behind_tilt(std::string_view line) {
+    constexpr std::string_view tilt = "TILT";
+    if (upper(line.substr(0, tilt.size())) != tilt) return std::nullopt;
+    line = trimmed(line.substr(tilt.size()));
+    if (!line.starts_with('=')) return std::nullopt;
+    return trimmed(line.substr(1));
+}
+
 PhotometricProfile read_ies(PhotometricText& text, const std::filesystem::path& folder,
                             Diagnostics& diagnostics) {
     PhotometricProfile profile;
     profile.format = scene::PhotometricFormat::ies;
     const std::string_view tilt = read_labels(text, profile, diagnostics);
+    if (has_decimal_commas(text.rest(), upper(tilt) == "INCLUDE")) {
+        text.read_decimal_commas();
+        diagnostics.warn_at(text.where(), "numbers with a decimal comma: read as a decimal point");
+    }
     read_tilt(text, tilt, folder, diagnostics, profile);
     const Counts counts = read_header(text, diagnostics, profile);
     const FileWeb web = read_web(text, counts, diagnostics, profile);

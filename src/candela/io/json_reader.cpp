@@ -54,7 +54,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 }
 
 nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where, bool comments,
-                          int max_depth) {
+                          int max_depth, Diagnostics* duplicate_keys) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.empty()) throw input_error("the file is empty", where, "JSON is expected");
     if (is_binary(bytes)) throw input_error("is not text, but JSON is expected", where);
@@ -65,9 +65,12 @@ nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& w
         using Event = nlohmann::json::parse_event_t;
         if (event == Event::object_start) keys.emplace_back();
         if (event == Event::object_end) keys.pop_back();
-        if (event == Event::key && !keys.back().insert(value.get<std::string>()).second)
-            throw input_error("the key \"" + value.get<std::string>() + "\" appears twice in one object",
-                              where);
+        if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
+            const std::string what =
+                "the key \"" + value.get<std::string>() + "\" appears twice in one object";
+            if (!duplicate_keys) throw input_error(what, where);
+            duplicate_keys->warn_at(where, what + ": the later one counts");
+        }
         return true;
     };
     try {

@@ -4,12 +4,16 @@
 #include <span>
 #include <string>
 
+#include "candela/scene/diagnostics.hpp"
+
 namespace candela::io {
 
 /// Parses JSON of at most `max_depth` nested levels; throws Error (Fault::input) with line and column at
-/// `where`.
+/// `where`. A key that appears twice in one object is an error, or with `duplicate_keys` a warning: the later
+/// one counts.
 [[nodiscard]] nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where,
-                                        bool comments, int max_depth = 64);
+                                        bool comments, int max_depth = 64,
+                                        Diagnostics* duplicate_keys = nullptr);
 
 /// Whether there are bytes that no text has: a line number would say nothing of a picture or a program.
 [[nodiscard]] bool is_binary(std::span<const std::byte> bytes);

@@ -25,10 +25,12 @@ std::string lower_extension(const fs::path& file) {
 
 /// IES files since 1991 say so; those of 1986 have a TILT line, which no line of EULUMDAT looks like.
 bool is_ies(std::string_view text, const std::string& name) {
-    constexpr std::string_view tilt = "TILT=";
     if (text.starts_with("IES")) return true;
-    for (std::size_t at = text.find(tilt); at != std::string_view::npos; at = text.find(tilt, at + 1)) {
-        if (at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r') return true;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        if (detail::behind_tilt(detail::trimmed(text.substr(at, end - at)))) return true;
+        at = end + 1;
     }
     return lower_extension(name) == ".ies";
 }

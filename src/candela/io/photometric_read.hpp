@@ -22,6 +22,9 @@ namespace candela::io::detail {
                                                       const PhotometricOptions& options,
                                                       Diagnostics& diagnostics);
 
+/// What stands behind "TILT=" of an IES file, also in small letters and with blanks about the equals sign.
+[[nodiscard]] std::optional<std::string_view> behind_tilt(std::string_view line);
+
 /// What is common to both webs: `count` ascending angles, each from `next()`.
 template <typename Next>
 std::vector<double> read_angles(const PhotometricText& text, std::size_t count, const char* what,

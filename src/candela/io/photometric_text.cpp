@@ -4,48 +4,16 @@
 #include <charconv>
 #include <cmath>
 
+#include "candela/io/text_encoding.hpp"
+
 namespace candela::io::detail {
 namespace {
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
-bool is_separator(char c) {
-    return is_blank(c) || c == ',';
-}
-
-/// How many bytes follow the first one of a UTF-8 sequence; none for a byte that starts no sequence.
-std::optional<std::size_t> continuation_bytes(unsigned char first) {
-    if (first < 0x80) return 0;
-    if (first >= 0xc2 && first < 0xe0) return 1;
-    if (first >= 0xe0 && first < 0xf0) return 2;
-    if (first >= 0xf0 && first < 0xf5) return 3;
-    return std::nullopt;
-}
-
-bool is_utf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto more = continuation_bytes(static_cast<unsigned char>(text[i]));
-        if (!more || *more > text.size() - i - 1) return false;
-        for (std::size_t k = 0; k < *more; ++k) {
-            if ((static_cast<unsigned char>(text[++i]) & 0xc0) != 0x80) return false;
-        }
-    }
-    return true;
-}
-
-std::string from_latin1(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80) {
-            out += c;
-        } else {
-            out += static_cast<char>(0xc0 | (byte >> 6));
-            out += static_cast<char>(0x80 | (byte & 0x3f));
-        }
-    }
-    return out;
+bool is_separator(char c, bool decimal_commas) {
+    return is_blank(c) || (c == ',' && !decimal_commas);
 }
 
 std::string shown(std::string_view text) {
@@ -111,7 +79,7 @@ std::string_view PhotometricText::peek() const {
 
 bool PhotometricText::skip_to_word() {
     while (true) {
-        while (!rest_.empty() && is_separator(rest_.front())) rest_.remove_prefix(1);
+        while (!rest_.empty() && is_separator(rest_.front(), decimal_commas_)) rest_.remove_prefix(1);
         if (!rest_.empty()) return true;
         if (at_end()) return false;
         rest_ = lines_[next_++];
@@ -121,14 +89,15 @@ bool PhotometricText::skip_to_word() {
 std::string_view PhotometricText::word(const char* what) {
     if (!skip_to_word()) throw error(std::string("the file ends before ") + what);
     std::size_t length = 0;
-    while (length < rest_.size() && !is_separator(rest_[length])) ++length;
+    while (length < rest_.size() && !is_separator(rest_[length], decimal_commas_)) ++length;
     const std::string_view out = rest_.substr(0, length);
     rest_.remove_prefix(length);
     return out;
 }
 
 double PhotometricText::number(const char* what) {
-    const std::string_view text = word(what);
+    std::string text(word(what));
+    if (decimal_commas_) std::replace(text.begin(), text.end(), ',', '.');
     const std::optional<double> value = parsed_number(text);
     if (!value) throw error(shown(text) + " is no number for " + what);
     return *value;
@@ -145,6 +114,12 @@ std::size_t PhotometricText::count(const char* what, std::size_t least, std::siz
 std::size_t PhotometricText::bytes_left() const noexcept {
     if (at_end()) return rest_.size();
     return rest_.size() + static_cast<std::size_t>(text_.data() + text_.size() - lines_[next_].data());
+}
+
+std::string PhotometricText::rest() const {
+    std::string out(rest_);
+    for (std::size_t i = next_; i < lines_.size(); ++i) out += '\n' + std::string(lines_[i]);
+    return out;
 }
 
 bool PhotometricText::words_left() {

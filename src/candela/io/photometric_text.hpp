@@ -38,6 +38,10 @@ class PhotometricText {
     [[nodiscard]] std::size_t count(const char* what, std::size_t least, std::size_t most);
     /// How many bytes are not read yet: an upper bound for what a hostile count can be true of.
     [[nodiscard]] std::size_t bytes_left() const noexcept;
+    /// What is not read yet, line by line.
+    [[nodiscard]] std::string rest() const;
+    /// From here on a comma in a number is its decimal point, and separates no numbers.
+    void read_decimal_commas() noexcept { decimal_commas_ = true; }
     /// Words left over on the current line and after it.
     [[nodiscard]] bool words_left();
 
@@ -56,6 +60,7 @@ class PhotometricText {
     std::vector<std::string_view> lines_;
     std::size_t next_ = 0;   ///< line to read next
     std::string_view rest_;  ///< of the line before it, for number()
+    bool decimal_commas_ = false;
 };
 
 }  // namespace candela::io::detail
