@@ -28,6 +28,10 @@ void PrintTo(const Malformed& m, std::ostream* out) {
 Malformed bytes(const char* name, const char* mentions, const std::string& content) {
     return {name, mentions, [=](const fs::path& folder) { write(folder / kScene, content); }};
 }
+/// The same, but readable with a warning.
+Malformed read(const char* name, const char* mentions, const std::string& content) {
+    return {name, mentions, [=](const fs::path& folder) { write(folder / kScene, content); }, true};
+}
 Malformed glb(const char* name, const char* mentions, const GltfBuilder& b, bool readable = false) {
     return {name, mentions, [=](const fs::path& folder) { write(folder / kScene, b.glb()); }, readable};
 }
@@ -52,7 +56,7 @@ Malformed picture(const char* name, const std::string& content, const char* ment
     GltfBuilder b = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
     add_texture(b, {reinterpret_cast<const std::byte*>(content.data()),
                     reinterpret_cast<const std::byte*>(content.data()) + content.size()});
-    return glb(name, mentions, b);
+    return glb(name, mentions, b, true);
 }
 
 std::string big_endian(std::uint32_t v) {
@@ -108,12 +112,12 @@ std::vector<Malformed> texts() {
                   for (int i = 0; i < 100000; ++i) s += R"({"a":)";
                   return s;
               }()),
-        bytes("InvalidUtf8", kScene, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xff\xfe\"}}"),
-        bytes("DuplicateKeys", "meshes", R"({"asset":{"version":"2.0"},"meshes":[],"meshes":[]})"),
+        read("InvalidUtf8", "Latin-1", "{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xff\xfe\"}}"),
+        read("DuplicateKeys", "meshes", R"({"asset":{"version":"2.0"},"meshes":[],"meshes":[]})"),
         bytes("NumberBeyondDouble", kScene, R"({"asset":{"version":"2.0"},"scene":1e999})"),
         bytes("NoVersion", "/asset/version", R"({"asset":{}})"),
         bytes("VersionOne", "/asset/version", R"({"asset":{"version":"1.0"}})"),
-        bytes("VersionIsANumber", "/asset/version", R"({"asset":{"version":2.0}})"),
+        read("VersionIsANumber", "/asset/version", R"({"asset":{"version":2.0}})"),
         {"EmptyScene", "empty",
          [](const fs::path& f) {
              write(f / kScene, R"({"asset":{"version":"2.0"},"scenes":[{}],"scene":0})");
@@ -143,20 +147,21 @@ std::vector<Malformed> wrong_types() {
     out.insert(
         out.end(),
         {patched("NodeIsAString", "/nodes/0", "node", "/nodes/0"),
-         patched("MeshIndexIsAString", "/nodes/0/mesh", "0", "/nodes/0/mesh"),
-         patched("NegativeIndex", "/nodes/0/mesh", -1, "/nodes/0/mesh"),
-         patched("FractionalIndex", "/nodes/0/mesh", 0.5, "/nodes/0/mesh"),
+         patched("MeshIndexIsAString", "/nodes/0/mesh", "0", "/nodes/0/mesh", true),
+         patched("NegativeIndex", "/nodes/0/mesh", -1, "/nodes/0/mesh", true),
+         patched("FractionalIndex", "/nodes/0/mesh", 0.5, "/nodes/0/mesh", true),
          patched("NegativeCount", "/accessors/0/count", -3, "/accessors/0/count"),
          patched("NegativeOffset", "/bufferViews/0/byteOffset", -1, "/bufferViews/0/byteOffset"),
-         patched("TranslationOfTwo", "/nodes/0/translation", {1, 2}, "/nodes/0/translation"),
-         patched("TranslationOfStrings", "/nodes/0/translation", {"1", "2", "3"}, "/nodes/0/translation/0"),
-         patched("MatrixTooShort", "/nodes/0/matrix", {1, 2, 3}, "/nodes/0/matrix"),
-         patched("NumberBeyondFloat", "/nodes/0/scale", {1e300, 1, 1}, "/nodes/0/scale/0"),
+         patched("TranslationOfTwo", "/nodes/0/translation", {1, 2}, "/nodes/0/translation", true),
+         patched("TranslationOfStrings", "/nodes/0/translation", {"1", "2", "3"}, "/nodes/0/translation",
+                 true),
+         patched("MatrixTooShort", "/nodes/0/matrix", {1, 2, 3}, "/nodes/0/matrix", true),
+         patched("NumberBeyondFloat", "/nodes/0/scale", {1e300, 1, 1}, "/nodes/0/scale", true),
          patched("AttributesIsAnArray", "/meshes/0/primitives/0/attributes", json::array(), "attributes"),
          patched("UnknownComponentType", "/accessors/0/componentType", 5124, "/accessors/0/componentType"),
          patched("UnknownAccessorType", "/accessors/0/type", "VEC5", "/accessors/0/type"),
          patched("UnknownMode", "/meshes/0/primitives/0/mode", 9, "/meshes/0/primitives/0/mode"),
-         patched("ExtensionsIsAnArray", "/nodes/0/extensions", json::array(), "/nodes/0/extensions"),
+         patched("ExtensionsIsAnArray", "/nodes/0/extensions", json::array(), "/nodes/0/extensions", true),
          patched("RequiredUnknownExtension", "/extensionsRequired", {"VENDOR_magic"}, "VENDOR_magic"),
          patched("UsedUnknownExtension", "/extensionsUsed", {"VENDOR_magic"}, "VENDOR_magic", true)});
     return out;
@@ -164,11 +169,11 @@ std::vector<Malformed> wrong_types() {
 
 std::vector<Malformed> ranges() {
     std::vector<Malformed> out{
-        patched("MeshOutOfRange", "/nodes/0/mesh", 7, "/nodes/0/mesh"),
-        patched("SceneOutOfRange", "/scene", 3, "/scene"),
-        patched("RootOutOfRange", "/scenes/0/nodes", {9}, "/scenes/0/nodes/0"),
-        patched("RootListedTwice", "/scenes/0/nodes", {0, 0}, "/scenes/0/nodes/1"),
-        patched("MaterialOutOfRange", "/meshes/0/primitives/0/material", 0, "material"),
+        patched("MeshOutOfRange", "/nodes/0/mesh", 7, "/nodes/0/mesh", true),
+        patched("SceneOutOfRange", "/scene", 3, "/scene", true),
+        patched("RootOutOfRange", "/scenes/0/nodes", {9}, "/scenes/0/nodes/0", true),
+        patched("RootListedTwice", "/scenes/0/nodes", {0, 0}, "/scenes/0/nodes/1", true),
+        patched("MaterialOutOfRange", "/meshes/0/primitives/0/material", 0, "material", true),
         patched("AccessorOutOfRange", "/meshes/0/primitives/0/attributes/POSITION", 1u << 31, "POSITION"),
         patched("ViewOutOfRange", "/accessors/0/bufferView", 99, "/accessors/0/bufferView"),
         patched("BufferOutOfRange", "/bufferViews/0/buffer", 1, "/bufferViews/0/buffer"),
@@ -178,33 +183,42 @@ std::vector<Malformed> ranges() {
         patched("ViewOffsetNear64Bits", "/bufferViews/0/byteOffset", 18446744073709551604ull,
                 "/bufferViews/0"),
         patched("ViewLengthNear64Bits", "/bufferViews/0/byteLength", 18446744073709551615ull,
-                "/bufferViews/0"),
+                "/bufferViews/0", true),
         patched("BillionVertices", "/accessors/0/count", 1000000000, "/accessors/0"),
         patched("CountNear64Bits", "/accessors/0/count", 18446744073709551615ull, "/accessors/0"),
         patched("HugeStride", "/bufferViews/0/byteStride", 4000000000u, "byteStride"),
         patched("StrideLessThanElement", "/bufferViews/0/byteStride", 4, "/accessors/0"),
         patched("IndicesOfFloats", "/accessors/1/componentType", 5126, "/accessors/1"),
         patched("SelfChild", "/nodes/0/children", {0}, "/nodes/0"),
-        patched("BadAlphaMode", "/materials", {{{"alphaMode", "GLASS"}}}, "/materials/0/alphaMode"),
+        patched("BadAlphaMode", "/materials", {{{"alphaMode", "GLASS"}}}, "/materials/0/alphaMode", true),
     };
     out.push_back(glb("BillionVerticesWithoutData", "/accessors/0", [](GltfBuilder& b) {
         b.doc["accessors"][0].erase("bufferView");
         b.doc["accessors"][0]["count"] = 1000000000;
     }));
-    out.push_back(glb("IndexBeyondVertices", "/indices", [](GltfBuilder& b) {
-        primitive_of(b)["indices"] = b.accessor<std::uint32_t>({0, 1, 0xffffffffu}, "SCALAR", 1);
-    }));
+    out.push_back(glb(
+        "IndexBeyondVertices", "/indices",
+        [](GltfBuilder& b) {
+            primitive_of(b)["indices"] = b.accessor<std::uint32_t>({0, 1, 0xffffffffu}, "SCALAR", 1);
+        },
+        true));
     out.push_back(glb("Cycle", "cycle", [](GltfBuilder& b) {
         b.push("nodes", {{"children", {2}}});
         b.push("nodes", {{"children", {1}}});
     }));
-    out.push_back(glb("TwoParents", "parent", [](GltfBuilder& b) {
-        b.push("nodes", {{"children", {0}}});
-        b.push("nodes", {{"children", {0}}});
-    }));
-    out.push_back(glb("NormalsFewerThanVertices", "NORMAL", [](GltfBuilder& b) {
-        primitive_of(b)["attributes"]["NORMAL"] = b.accessor<float>({0, 0, 1}, "VEC3", 3);
-    }));
+    out.push_back(glb(
+        "TwoParents", "parent",
+        [](GltfBuilder& b) {
+            b.push("nodes", {{"children", {0}}});
+            b.push("nodes", {{"children", {0}}});
+        },
+        true));
+    out.push_back(glb(
+        "NormalsFewerThanVertices", "NORMAL",
+        [](GltfBuilder& b) {
+            primitive_of(b)["attributes"]["NORMAL"] = b.accessor<float>({0, 0, 1}, "VEC3", 3);
+        },
+        true));
     // 40,000 primitives that use all of one accessor of four million zeros: no memory is there for that.
     out.push_back(glb("OneAccessorManyTimes", "memory", [](GltfBuilder& b) {
         b.doc["accessors"][0].erase("bufferView");
@@ -213,27 +227,30 @@ std::vector<Malformed> ranges() {
         const json primitive = primitive_of(b);
         for (int i = 0; i < 40000; ++i) b.doc["meshes"][0]["primitives"].push_back(primitive);
     }));
-    out.push_back(glb("SparseIndexOutOfRange", "sparse", [](GltfBuilder& b) {
-        const std::vector<std::uint16_t> which{3};
-        const int view = b.view(std::as_bytes(std::span(which)));
-        b.doc["accessors"][0]["sparse"] = {{"count", 1},
-                                           {"indices", {{"bufferView", view}, {"componentType", 5123}}},
-                                           {"values", {{"bufferView", 0}}}};
-    }));
+    out.push_back(glb(
+        "SparseIndexOutOfRange", "sparse",
+        [](GltfBuilder& b) {
+            const std::vector<std::uint16_t> which{3};
+            const int view = b.view(std::as_bytes(std::span(which)));
+            b.doc["accessors"][0]["sparse"] = {{"count", 1},
+                                               {"indices", {{"bufferView", view}, {"componentType", 5123}}},
+                                               {"values", {{"bufferView", 0}}}};
+        },
+        true));
     for (const char* attribute : {"WEIGHTS_0", "JOINTS_0"}) {  // the fuzzer's finding: read past the end
         GltfBuilder none = skinned();
         const std::size_t index = primitive_of(none)["attributes"][attribute];
         none.doc["accessors"][index]["count"] = 0;
-        out.push_back(glb(attribute[0] == 'W' ? "NoWeights" : "NoJoints", attribute, none));
+        out.push_back(glb(attribute[0] == 'W' ? "NoWeights" : "NoJoints", attribute, none, true));
     }
     out.push_back(glb("AccessorWithoutCount", "/accessors/0/count",
                       [](GltfBuilder& b) { b.doc["accessors"][0].erase("count"); }));
     GltfBuilder beyond = skinned();
     beyond.doc["skins"][0]["joints"] = {1};
-    out.push_back(glb("JointBeyondSkin", "/nodes/0/skin", beyond));
+    out.push_back(glb("JointBeyondSkin", "/nodes/0/skin", beyond, true));
     GltfBuilder undefined_time = triangle();
     animate(undefined_time, "translation", "LINEAR", {0, NAN}, {0, 0, 0, 1, 1, 1}, "VEC3", 3);
-    out.push_back(glb("KeyTimeNotANumber", "/animations/0/samplers/0/input", undefined_time));
+    out.push_back(glb("KeyTimeNotANumber", "/animations/0/samplers/0/input", undefined_time, true));
     return out;
 }
 
@@ -276,8 +293,8 @@ std::vector<Malformed> uris() {
         buffer_uri("LineBreakInName", "a%0Ab.bin", "no such file"),
         buffer_uri("BrokenBase64", "data:application/octet-stream;base64,AA*A", "/buffers/0/uri"),
         buffer_uri("CutBase64", "data:application/octet-stream;base64,AAAAA", "/buffers/0/uri"),
-        buffer_uri("ShortBase64", "data:application/octet-stream;base64,AAAA", "/buffers/0/byteLength"),
-        buffer_uri("DataWithoutBase64", "data:text/plain,hello", "/buffers/0/uri"),
+        buffer_uri("ShortBase64", "data:application/octet-stream;base64,AAAA", "/accessors/"),
+        buffer_uri("DataWithoutBase64", "data:text/plain,hello", "/accessors/"),
     };
     const auto through_link = [](const char* name, const char* target) {
         return Malformed{name, "/buffers/0/uri", [=](const fs::path& folder) {

@@ -148,8 +148,10 @@ TEST(Material, AlphaModes) {
     EXPECT_EQ(material({{"alphaMode", "OPAQUE"}}).alpha_mode, scene::AlphaMode::opaque);
 }
 
-TEST(Material, AThirdUvSetIsReplacedWithAWarning) {
-    GltfBuilder b = with_material({{"emissiveTexture", {{"index", 0}, {"texCoord", 2}}}});
+TEST(Material, AThirdUvSetInOneMaterialIsReplacedWithAWarning) {
+    GltfBuilder b = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                   {"occlusionTexture", {{"index", 0}, {"texCoord", 1}}},
+                                   {"emissiveTexture", {{"index", 0}, {"texCoord", 2}}}});
     add_texture(b, png_of_four_texels());
     Diagnostics diagnostics;
     EXPECT_EQ(load(b, diagnostics).materials[0].emissive_texture.uv_set, 0u);

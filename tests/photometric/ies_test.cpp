@@ -31,11 +31,11 @@ std::string value_of(const scene::PhotometricProfile& p, const std::string& key)
 }  // namespace
 
 TEST(Ies, EveryRevisionIsRead) {
-    const std::pair<const char*, const char*> revisions[] = {{"Any label at all", "LM-63-1986"},
-                                                             {"IESNA91", "LM-63-1991"},
-                                                             {"IESNA:LM-63-1995", "LM-63-1995"},
-                                                             {"IESNA:LM-63-2002", "LM-63-2002"},
-                                                             {"IES:LM-63-2019", "LM-63-2019"}};
+    const std::pair<const char*, const char*> revisions[] = {
+        {"Any label at all", "LM-63-1986"}, {"IESNA91", "LM-63-1991"},
+        {"IESNA:LM-63-1991", "LM-63-1991"}, {"IESNA:LM-63-91", "LM-63-1991"},
+        {"IESNA:LM-63-1995", "LM-63-1995"}, {"IESNA:LM-63-2002", "LM-63-2002"},
+        {"IES:LM-63-2019", "LM-63-2019"}};
     for (const auto& [line, standard] : revisions) {
         IesFile file;
         file.first_line = line;
@@ -142,6 +142,52 @@ TEST(Ies, TiltIsIncludedOrInAFileOfTheFolder) {
     // An embedded profile has no folder: read without.
     EXPECT_TRUE(read(file.bytes(), diagnostics).tilt.angles_deg.empty());
     EXPECT_TRUE(warned(diagnostics, "TILT"));
+}
+
+TEST(Ies, TheFactorOf1991IsAFactor) {
+    IesFile file;
+    file.first_line = "IESNA:LM-63-1991";
+    file.factor = 0.5;
+    EXPECT_NEAR(at_aim(file), 50.0, 1e-4);
+}
+
+TEST(Ies, ATiltFileThatIsMissingOrBrokenIsAWarning) {
+    const TemporaryFolder folder;
+    IesFile file;
+    file.tilt = "TILT=lamp.tlt";
+    std::ofstream(folder / "a.ies", std::ios::binary) << file.bytes();
+    for (const std::string table : {"", "no numbers"}) {
+        if (!table.empty()) std::ofstream(folder / "lamp.tlt", std::ios::binary) << table;
+        Diagnostics diagnostics;
+        const auto p = io::load_photometric(folder / "a.ies", diagnostics);
+        EXPECT_NEAR(scene::intensity_cd(p, 0.0, 0.0), 100.0, 1e-6);
+        EXPECT_TRUE(p.tilt.angles_deg.empty());
+        EXPECT_TRUE(warned(diagnostics, "drawn without the TILT file"));
+    }
+}
+
+TEST(Ies, TiltWithBlanksAndDecimalCommas) {
+    const auto reference = read(
+        "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 -1 1.5 3 1 1 2 0.25 0.5 0\n"
+        "1 1 10.5\n0 45.5 90\n0\n100.25 50 0.5\n");
+    for (const std::string tilt : {"TILT = NONE", "tilt= none", "TILT =NONE"}) {
+        Diagnostics diagnostics;
+        const auto p = read("IESNA:LM-63-2002\n[TEST] x\n" + tilt +
+                                "\n1 -1 1,5 3 1 1 2 0,25 0,5 0\n1 1 10,5\n0 45,5 90\n0\n100,25 50 0,5\n",
+                            diagnostics);
+        EXPECT_EQ(p.candela, reference.candela);
+        EXPECT_EQ(p.opening_m, reference.opening_m);
+        EXPECT_TRUE(warned(diagnostics, "decimal comma"));
+        EXPECT_TRUE(warned(diagnostics, "TILT"));
+    }
+    // The same commas as separators: three intensities of "100,50,25" are no decimals.
+    Diagnostics diagnostics;
+    const auto separated = read(
+        "IESNA:LM-63-2002\nTILT=NONE\n1,-1,1,3,1,1,2,0,0,0\n1,1,10\n0,45,90\n0\n"
+        "100,50,25\n",
+        diagnostics);
+    EXPECT_NEAR(scene::intensity_cd(separated, 0.0, 0.0), 100.0, 1e-6);
+    EXPECT_TRUE(diagnostics.warnings().empty());
 }
 
 TEST(Ies, KeywordsGoOnWithMore) {

@@ -82,7 +82,6 @@ std::vector<Malformed> ies_files() {
         ies("IesTiltNothing", 5, "TILT=", ":5: nothing after TILT="),
         ies("IesTiltOutside", 5, names_file, ":5: path leaves the folder"),
         ies("IesTiltAbsolute", 5, "TILT=/etc/passwd", ":5: absolute path"),
-        ies("IesTiltMissing", 5, "TILT=nowhere.tlt", "nowhere.tlt"),
         ies("IesTiltGeometry", 5, "TILT=INCLUDE\n7\n2\n0 90\n1 1", ":6: the lamp-to-luminaire geometry"),
         ies("IesTiltCount", 5, "TILT=INCLUDE\n1\n99999999\n0 90\n1 1", ":7: the number of tilt angles"),
         ies("IesTiltNegative", 5, "TILT=INCLUDE\n1\n2\n0 90\n1 -1", ":9: a tilt factor is negative"),

@@ -32,7 +32,7 @@ std::string_view unpadded(std::string_view text, const std::string& where) {
 }
 
 std::vector<std::byte> decode_base64(std::string_view text, const std::string& where,
-                                     Diagnostics& diagnostics) {
+                                     PlacedWarnings& warnings) {
     text = unpadded(text, where);
     std::vector<std::byte> out;
     out.reserve(text.size() / 4 * 3);
@@ -55,22 +55,22 @@ std::vector<std::byte> decode_base64(std::string_view text, const std::string& w
         }
     }
     if (letters % 4 == 1) throw input_error("truncated base64 data", where);
-    if (blanks) diagnostics.warn_at(where, "base64 data with line breaks or blanks: they are skipped");
-    if (url_safe) diagnostics.warn_at(where, "base64 data in the URL-safe alphabet: read as base64");
+    if (blanks) warnings.warn_at(where, "base64 data with line breaks or blanks: they are skipped");
+    if (url_safe) warnings.warn_at(where, "base64 data in the URL-safe alphabet: read as base64");
     return out;
 }
 
 }  // namespace
 
 std::vector<std::byte> decode_data_uri(std::string_view uri, const std::string& where,
-                                       Diagnostics& diagnostics) {
+                                       PlacedWarnings& warnings) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos) throw input_error("data URI without data", where);
     const std::string_view head = uri.substr(0, comma), data = uri.substr(comma + 1);
     if (head.find("base64") != std::string_view::npos) {
         // A browser decodes the percent signs first.
         const bool encoded = data.find('%') != std::string_view::npos;
-        return decode_base64(encoded ? percent_decoded(data) : std::string(data), where, diagnostics);
+        return decode_base64(encoded ? percent_decoded(data) : std::string(data), where, warnings);
     }
     const std::string bytes = percent_decoded(data);
     const auto* first = reinterpret_cast<const std::byte*>(bytes.data());

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "candela/scene/diagnostics.hpp"
+#include "candela/io/placed_warnings.hpp"
 
 namespace candela::io {
 
@@ -13,6 +13,6 @@ namespace candela::io {
 /// URL-safe alphabet of base64 are read with a warning. Throws Error (Fault::input) at `where` for what is
 /// broken or cut off.
 [[nodiscard]] std::vector<std::byte> decode_data_uri(std::string_view uri, const std::string& where,
-                                                     Diagnostics& diagnostics);
+                                                     PlacedWarnings& warnings);
 
 }  // namespace candela::io

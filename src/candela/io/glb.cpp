@@ -29,10 +29,10 @@ bool starts_chunk(std::span<const std::byte> bytes, std::size_t at) {
 /// Where the chunk behind one that ends at `end` starts: at the next multiple of 4, which the specification
 /// has it padded to, unless a chunk starts right there.
 std::size_t next_chunk(std::span<const std::byte> bytes, std::size_t end, const std::string& name,
-                       Diagnostics& diagnostics) {
+                       PlacedWarnings& warnings) {
     const std::size_t padded = (end + 3) & ~std::size_t{3};
     if (padded == end) return end;
-    diagnostics.warn_at(name, "a chunk of the .glb is not padded to 4 bytes: read as it lies");
+    warnings.warn_at(name, "a chunk of the .glb is not padded to 4 bytes: read as it lies");
     return starts_chunk(bytes, padded) || !starts_chunk(bytes, end) ? padded : end;
 }
 
@@ -42,7 +42,7 @@ bool is_glb(std::span<const std::byte> bytes) {
     return bytes.size() >= 4 && word(bytes, 0) == kMagic;
 }
 
-GlbChunks split_glb(std::span<const std::byte> bytes, const std::string& name, Diagnostics& diagnostics) {
+GlbChunks split_glb(std::span<const std::byte> bytes, const std::string& name, PlacedWarnings& warnings) {
     if (bytes.size() < kHeaderBytes + kChunkHeaderBytes)
         throw input_error("truncated .glb: no room for its header", name);
     if (word(bytes, 4) != 2) throw input_error("not version 2 of the .glb container", name);
@@ -64,12 +64,12 @@ GlbChunks split_glb(std::span<const std::byte> bytes, const std::string& name, D
         if (kind == kJsonChunk && chunks.json.empty()) chunks.json = bytes.subspan(at, size);
         if (kind == kBinaryChunk && chunks.binary.empty()) chunks.binary = bytes.subspan(at, size);
         length_wrong = length_wrong || at + size > length;
-        at = next_chunk(bytes, at + size, name, diagnostics);
+        at = next_chunk(bytes, at + size, name, warnings);
     }
     if (chunks.json.empty()) throw input_error("a .glb without a JSON chunk", name);
     if (length_wrong) {
-        diagnostics.warn_at(name, "the .glb's header states " + std::to_string(length) + " of " +
-                                      std::to_string(bytes.size()) + " bytes: its chunks are read");
+        warnings.warn_at(name, "the .glb's header states " + std::to_string(length) + " of " +
+                                   std::to_string(bytes.size()) + " bytes: its chunks are read");
     }
     return chunks;
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "candela/scene/diagnostics.hpp"
+#include "candela/io/placed_warnings.hpp"
 
 namespace candela::io {
 
@@ -19,6 +19,6 @@ struct GlbChunks {
 /// The chunks of a .glb. A length in the header that is not the file's, and chunks that are not padded to 4
 /// bytes, are read as they are meant, with a warning. Throws Error (Fault::input) where data is cut off.
 [[nodiscard]] GlbChunks split_glb(std::span<const std::byte> bytes, const std::string& name,
-                                  Diagnostics& diagnostics);
+                                  PlacedWarnings& warnings);
 
 }  // namespace candela::io

@@ -296,6 +296,7 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
         lights.add(node, nodes[i], scene);
     }
     read_images(document, options.progress, scene);
+    document.warnings().raise(diagnostics);
     if (scene.instances.empty()) diagnostics.warn("the scene is empty: nothing to draw");
     return scene;
 }
@@ -310,13 +311,12 @@ scene::Scene load_gltf(const std::filesystem::path& file, const GltfOptions& opt
         memory.require(size, "the file takes", file.string());
     const std::vector<std::byte> bytes = read_file(file, kMaxFileBytes);
     const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
-    return build(GltfDocument(bytes, file.string(), folder, diagnostics, memory), options, diagnostics);
+    return build(GltfDocument(bytes, file.string(), folder, memory), options, diagnostics);
 }
 
 scene::Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name,
                                    const GltfOptions& options, Diagnostics& diagnostics) {
-    return build(GltfDocument(bytes, name, std::nullopt, diagnostics,
-                              options.memory.value_or(scene::available_memory())),
+    return build(GltfDocument(bytes, name, std::nullopt, options.memory.value_or(scene::available_memory())),
                  options, diagnostics);
 }
 

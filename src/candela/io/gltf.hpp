@@ -24,11 +24,11 @@ enum class GltfLightUnits : std::uint8_t {
 struct GltfOptions {
     float time_s =
         0.0f;  ///< animations, skins and morph targets are evaluated here; channels clamp at their ends
-    std::string animation;     ///< the one that plays, by name or number; empty: the first
     float light_scale = 1.0f;  ///< multiplies every light of the file
     GltfLightUnits light_units = GltfLightUnits::spec;
     StepFunction progress;                      ///< from any thread, one at a time
     std::optional<scene::MemoryBudget> memory;  ///< absent: what the machine has left
+    std::string animation;                      ///< the one that plays, by name or number; empty: the first
 };
 
 /// Reads .gltf or .glb (told apart by content) with everything it refers to inside its own folder; poses it

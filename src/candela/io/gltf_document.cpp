@@ -46,13 +46,12 @@ std::string version_text(const json& document, const char* key) {
 }  // namespace
 
 GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
-                           std::optional<std::filesystem::path> folder, Diagnostics& diagnostics,
-                           const scene::MemoryBudget& memory)
-    : name_(std::move(name)), folder_(std::move(folder)), diagnostics_(&diagnostics), memory_(memory) {
+                           std::optional<std::filesystem::path> folder, const scene::MemoryBudget& memory)
+    : name_(std::move(name)), folder_(std::move(folder)), memory_(memory) {
     GlbChunks chunks{bytes, {}};
     if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
     if (is_glb(bytes))
-        chunks = split_glb(bytes, name_, diagnostics);
+        chunks = split_glb(bytes, name_, warnings_);
     else if (is_binary(bytes))
         throw input_error("neither a .glb nor a .gltf file", name_);
     std::string utf8;
@@ -60,9 +59,9 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
     if (!is_utf8(text)) {
         utf8 = repaired_utf8(text);
         chunks.json = std::as_bytes(std::span(utf8.data(), utf8.size()));
-        diagnostics.warn_at(name_, "text that is not UTF-8: read as Latin-1");
+        warnings_.warn_at(name_, "text that is not UTF-8: read as Latin-1");
     }
-    json_ = parse_json(chunks.json, name_, false, 64, &diagnostics);
+    json_ = parse_json(chunks.json, name_, false, 64, &warnings_);
     if (!json_.is_object()) throw input_error("not a glTF file: the JSON is not an object", name_);
     check_version();
     // Also what this scene happens not to use: a list of the wrong type is a broken file, not an empty list.
@@ -87,25 +86,24 @@ void GltfDocument::check_version() const {
     const auto needed = parsed_version(least);
     if (needed && *needed > std::pair(2, 0))
         throw input_error("the file needs glTF " + least, place + "minVersion", "glTF 2.0 is read");
-    if (!least.empty() && !needed)
-        diagnostics_->warn_at(place + "minVersion", "is no version: read as absent");
+    if (!least.empty() && !needed) warnings_.warn_at(place + "minVersion", "is no version: read as absent");
     if (*version != std::pair(2, 0))
-        diagnostics_->warn_at(place + "version", "is " + text + ": what glTF 2.0 has of it is drawn");
+        warnings_.warn_at(place + "version", "is " + text + ": what glTF 2.0 has of it is drawn");
     if (json_["asset"]["version"].is_number())
-        diagnostics_->warn_at(place + "version", "must be a string: the number is read as one");
+        warnings_.warn_at(place + "version", "must be a string: the number is read as one");
 }
 
 void GltfDocument::check_uri(const std::string& uri, const std::string& where) const {
     if (uri.starts_with("data:") || is_web_uri(uri) || uri.empty() || !folder_) return;
-    Diagnostics said_later;
+    PlacedWarnings said_later;
     (void)file_of_scene_uri(*folder_, uri, where, said_later);
 }
 
 std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& where,
-                                              Diagnostics& diagnostics) const {
-    if (uri.starts_with("data:")) return decode_data_uri(uri, where, diagnostics);
+                                              PlacedWarnings& warnings) const {
+    if (uri.starts_with("data:")) return decode_data_uri(uri, where, warnings);
     if (!folder_) throw input_error("names an external file, but the scene was read from memory", where);
-    return read_file(file_of_scene_uri(*folder_, uri, where, diagnostics), kMaxBufferBytes);
+    return read_file(file_of_scene_uri(*folder_, uri, where, warnings), kMaxBufferBytes);
 }
 
 std::span<const std::byte> GltfDocument::buffer(std::uint32_t index) const {
@@ -115,16 +113,16 @@ std::span<const std::byte> GltfDocument::buffer(std::uint32_t index) const {
     const JsonView uri = json_buffer["uri"];
     std::span<const std::byte> bytes;
     if (uri.exists()) {
-        bytes = owned_.emplace_back(read_uri(uri.string_or(""), uri.where(), *diagnostics_));
+        bytes = owned_.emplace_back(read_uri(uri.string_or(""), uri.where(), warnings_));
     } else if (index == 0 && !binary_chunk_.empty()) {
         bytes = binary_chunk_;
     } else {
         json_buffer.fail("a buffer without data", "it needs a uri, or the .glb's binary chunk");
     }
     if (bytes.size() < length) {
-        diagnostics_->warn_at(json_buffer["byteLength"].where(),
-                              "promises " + std::to_string(length) + " bytes, there are " +
-                                  std::to_string(bytes.size()) + ": what is there is read");
+        warnings_.warn_at(json_buffer["byteLength"].where(),
+                          "promises " + std::to_string(length) + " bytes, there are " +
+                              std::to_string(bytes.size()) + ": what is there is read");
     }
     file_bytes_ += bytes.size();
     reserve(bytes.size(), json_buffer);
@@ -158,9 +156,8 @@ std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
     }
     const std::uint64_t there = bytes.size() - offset;
     if (length > there) {
-        diagnostics_->warn_at(view.where(), "passes the end of its buffer by " +
-                                                std::to_string(length - there) +
-                                                " bytes: what is there is read");
+        warnings_.warn_at(view.where(), "passes the end of its buffer by " + std::to_string(length - there) +
+                                            " bytes: what is there is read");
     }
     return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(std::min(length, there)));
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "candela/scene/diagnostics.hpp"
+#include "candela/io/placed_warnings.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/scene/memory_budget.hpp"
 
@@ -24,8 +24,8 @@ using nlohmann::json;
 /// data there is and where must be right.
 class JsonView {
   public:
-    JsonView(const json* value, std::string where, Diagnostics* diagnostics)
-        : value_(value), where_(std::move(where)), diagnostics_(diagnostics) {}
+    JsonView(const json* value, std::string where, PlacedWarnings* warnings)
+        : value_(value), where_(std::move(where)), warnings_(warnings) {}
 
     [[nodiscard]] bool exists() const noexcept { return value_ != nullptr; }
     [[nodiscard]] const std::string& where() const noexcept { return where_; }
@@ -72,7 +72,7 @@ class JsonView {
   private:
     const json* value_;
     std::string where_;
-    Diagnostics* diagnostics_;
+    PlacedWarnings* warnings_;
 };
 
 /// A parsed .gltf or .glb with its buffers in memory.
@@ -81,15 +81,16 @@ class GltfDocument {
     /// `folder`: where external buffers are looked for; nullopt makes every external URI an error. The bytes
     /// must outlive the document: a .glb's buffer stays among them.
     GltfDocument(std::span<const std::byte> bytes, std::string name,
-                 std::optional<std::filesystem::path> folder, Diagnostics& diagnostics,
+                 std::optional<std::filesystem::path> folder,
                  const scene::MemoryBudget& memory = scene::available_memory());
 
-    [[nodiscard]] JsonView root() const { return {&json_, name_ + ": ", diagnostics_}; }
+    [[nodiscard]] JsonView root() const { return {&json_, name_ + ": ", &warnings_}; }
     [[nodiscard]] JsonView array(const char* key) const { return root()[key]; }
     [[nodiscard]] JsonView element(const char* key, std::size_t index) const { return root()[key][index]; }
     [[nodiscard]] std::size_t count(const char* key) const { return array(key).size(); }
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
-    [[nodiscard]] Diagnostics& diagnostics() const noexcept { return *diagnostics_; }
+    /// What was read otherwise than it stands in the file.
+    [[nodiscard]] PlacedWarnings& warnings() const noexcept { return warnings_; }
     [[nodiscard]] const std::optional<std::filesystem::path>& folder() const noexcept { return folder_; }
 
     /// Bytes of a buffer view, decompressed where EXT_meshopt_compression says so. Throws Error when it
@@ -107,9 +108,9 @@ class GltfDocument {
     [[nodiscard]] std::size_t buffer_view_stride(std::uint32_t index) const;
 
     /// Bytes behind a URI: data, or a file of the scene's folder. From any thread, each with its own
-    /// diagnostics.
+    /// warnings.
     [[nodiscard]] std::vector<std::byte> read_uri(const std::string& uri, const std::string& where,
-                                                  Diagnostics& diagnostics) const;
+                                                  PlacedWarnings& warnings) const;
     /// Throws Error for a URI that may not be read at all: one that leaves the scene's folder.
     void check_uri(const std::string& uri, const std::string& where) const;
 
@@ -122,7 +123,7 @@ class GltfDocument {
         } catch (const Error& error) {
             if (error.fault() != Fault::input || out_of_memory_) throw;
             const std::string& where = error.where().empty() ? view.where() : error.where();
-            diagnostics_->warn_at(where, std::string(error.what()) + ": " + repair);
+            warnings_.warn_at(where, std::string(error.what()) + ": " + repair);
         }
     }
 
@@ -136,7 +137,7 @@ class GltfDocument {
     std::string name_;
     std::optional<std::filesystem::path> folder_;
     json json_;
-    Diagnostics* diagnostics_;
+    mutable PlacedWarnings warnings_;
     std::span<const std::byte> binary_chunk_;
     mutable std::vector<std::optional<std::span<const std::byte>>> buffers_;
     mutable std::deque<std::vector<std::byte>> owned_;  ///< of those that are not a part of the file

@@ -95,7 +95,7 @@ struct ImageSource {
     std::string uri;  ///< empty: of a buffer view
     std::span<const std::byte> bytes;
     std::optional<Error> fault;
-    Diagnostics said;
+    PlacedWarnings said;
 };
 
 /// Throws Error for a URI that may not be read.
@@ -191,7 +191,7 @@ void read_images(const GltfDocument& document, const StepFunction& progress, sce
         decode_all();
     }
     for (const ImageSource& source : work) {
-        document.diagnostics().add(source.said);
+        document.warnings().add(source.said);
         scene.images[source.index].name = document.element("images", source.index)["name"].string_or("");
         if (!source.fault) continue;
         document.try_to_read(document.element("images", source.index), kWithout,

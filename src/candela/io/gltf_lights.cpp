@@ -124,7 +124,8 @@ scene::PhotometricProfile GltfLights::read_profile(const JsonView& source) const
     const std::filesystem::path folder = document_.folder().value_or(std::filesystem::path());
     scene::PhotometricProfile profile;
     if (uri.exists()) {
-        const std::vector<std::byte> bytes = document_.read_uri(uri.string_or(""), uri.where(), diagnostics_);
+        const std::vector<std::byte> bytes =
+            document_.read_uri(uri.string_or(""), uri.where(), document_.warnings());
         profile = load_photometric_from_memory(bytes, uri.where(), folder, diagnostics_);
     } else {
         const std::uint32_t at = view.required_index_below(document_.count("bufferViews"));

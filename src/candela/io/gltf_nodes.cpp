@@ -44,7 +44,7 @@ std::vector<std::uint32_t> make_forest(const GltfDocument& document, std::vector
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         for (const std::uint32_t child : nodes[i].children) {
             if (parents[child] != scene::no_index) {
-                document.diagnostics().warn_at(
+                document.warnings().warn_at(
                     document.element("nodes", i)["children"].where(),
                     "node " + std::to_string(child) +
                         " is listed as a child more than once: the last parent counts");

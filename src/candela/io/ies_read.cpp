@@ -129,7 +129,7 @@ std::string_view read_labels(PhotometricText& text, PhotometricProfile& profile,
         const std::string_view line = text.line("the line TILT=");
         if (const auto tilt = behind_tilt(line)) {
             if (!line.starts_with("TILT="))
-                diagnostics.warn_at(text.place(), "a TILT line that is not written TILT=: read as one");
+                diagnostics.warn(text.place() + ": a TILT line that is not written TILT=: read as one");
             return *tilt;
         }
         if (first) profile.standard = standard_of(line, text.where(), diagnostics);
@@ -165,15 +165,16 @@ void read_tilt(PhotometricText& text, std::string_view name, const std::filesyst
                          ": TILT names a file, which an embedded profile has none of; not read");
         return;
     }
-    const std::filesystem::path file =
-        file_of_scene_uri(folder, std::string(name), text.place(), diagnostics);
+    PlacedWarnings warnings;
+    const std::filesystem::path file = file_of_scene_uri(folder, std::string(name), text.place(), warnings);
+    warnings.raise(diagnostics);
     try {
         PhotometricText tilt(read_photometric_text(file), file.string());
         profile.tilt = read_tilt_table(tilt);
     } catch (const Error& error) {
         // The table is about other positions than the one that was measured: the intensities stay.
         if (error.fault() != Fault::input) throw;
-        diagnostics.warn_at(error.where(), std::string(error.what()) + ": drawn without the TILT file");
+        diagnostics.warn(error.where() + ": " + error.what() + ": drawn without the TILT file");
     }
 }
 
@@ -295,7 +296,7 @@ PhotometricProfile read_ies(PhotometricText& text, const std::filesystem::path& 
     const std::string_view tilt = read_labels(text, profile, diagnostics);
     if (has_decimal_commas(text.rest(), upper(tilt) == "INCLUDE")) {
         text.read_decimal_commas();
-        diagnostics.warn_at(text.where(), "numbers with a decimal comma: read as a decimal point");
+        diagnostics.warn(text.where() + ": numbers with a decimal comma: read as a decimal point");
     }
     read_tilt(text, tilt, folder, diagnostics, profile);
     const Counts counts = read_header(text, diagnostics, profile);

@@ -54,7 +54,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 }
 
 nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where, bool comments,
-                          int max_depth, Diagnostics* duplicate_keys) {
+                          int max_depth, PlacedWarnings* duplicate_keys) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.empty()) throw input_error("the file is empty", where, "JSON is expected");
     if (is_binary(bytes)) throw input_error("is not text, but JSON is expected", where);

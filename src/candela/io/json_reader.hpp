@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "candela/scene/diagnostics.hpp"
+#include "candela/io/placed_warnings.hpp"
 
 namespace candela::io {
 
@@ -13,7 +13,7 @@ namespace candela::io {
 /// one counts.
 [[nodiscard]] nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& where,
                                         bool comments, int max_depth = 64,
-                                        Diagnostics* duplicate_keys = nullptr);
+                                        PlacedWarnings* duplicate_keys = nullptr);
 
 /// Whether there are bytes that no text has: a line number would say nothing of a picture or a program.
 [[nodiscard]] bool is_binary(std::span<const std::byte> bytes);

@@ -27,29 +27,29 @@ void JsonView::repaired(const std::string& what) const {
         const std::string value = value_->dump(-1, ' ', false, json::error_handler_t::replace);
         if (value.size() <= longest) place += " = " + value;
     }
-    diagnostics_->warn_at(place, what);
+    warnings_->warn_at(place, what);
 }
 
 JsonView JsonView::operator[](const char* key) const {
     const std::string at = where_ + "/" + key;
-    if (!value_) return {nullptr, at, diagnostics_};
+    if (!value_) return {nullptr, at, warnings_};
     if (!value_->is_object()) {
         repaired("must be an object: read as absent");
-        return {nullptr, at, diagnostics_};
+        return {nullptr, at, warnings_};
     }
     const auto found = value_->find(key);
-    if (found == value_->end()) return {nullptr, at, diagnostics_};
+    if (found == value_->end()) return {nullptr, at, warnings_};
     if (found->is_null()) {
-        diagnostics_->warn_at(at, "is null: read as absent");
-        return {nullptr, at, diagnostics_};
+        warnings_->warn_at(at, "is null: read as absent");
+        return {nullptr, at, warnings_};
     }
-    return {&*found, at, diagnostics_};
+    return {&*found, at, warnings_};
 }
 
 JsonView JsonView::operator[](std::size_t index) const {
     if (index >= size())
         fail("index " + std::to_string(index) + " is out of range: it has " + std::to_string(size()));
-    return {&(*value_)[index], where_ + "/" + std::to_string(index), diagnostics_};
+    return {&(*value_)[index], where_ + "/" + std::to_string(index), warnings_};
 }
 
 bool JsonView::is_array() const {

@@ -92,14 +92,14 @@ bool is_web_uri(const std::string& uri) {
 }
 
 fs::path file_of_scene_uri(const fs::path& folder, const std::string& uri, const std::string& where,
-                           Diagnostics& diagnostics) {
+                           PlacedWarnings& warnings) {
     const fs::path first = inside_folder(folder, uri, where);
     if (is_there(first)) return first;
     std::vector<fs::path> tried{first};
     for (const Spelling& s : spellings(uri)) {
         const fs::path file = inside_folder(folder, s.uri, where);
         if (is_there(file)) {
-            diagnostics.warn_at(where, s.repair);
+            warnings.warn_at(where, s.repair);
             return file;
         }
         tried.push_back(file);
@@ -109,13 +109,13 @@ fs::path file_of_scene_uri(const fs::path& folder, const std::string& uri, const
         if (relative.empty() || *relative.begin() == "..") continue;
         const std::string latin1 = to_latin1(relative.string());
         if (!latin1.empty() && latin1 != relative.string() && is_there(folder / latin1)) {
-            diagnostics.warn_at(where, "a file whose name is in Latin-1: found so");
+            warnings.warn_at(where, "a file whose name is in Latin-1: found so");
             return inside_folder(folder, "./" + literal(latin1), where);
         }
         if (const auto found = in_any_case(folder, relative)) {
-            diagnostics.warn_at(where,
-                                "a file's name in upper and lower case other than the file's: found as \"" +
-                                    found->filename().string() + "\"");
+            warnings.warn_at(where,
+                             "a file's name in upper and lower case other than the file's: found as \"" +
+                                 found->filename().string() + "\"");
             return inside_folder(folder, "./" + literal(found->lexically_relative(folder).string()), where);
         }
     }

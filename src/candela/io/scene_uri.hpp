@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "candela/scene/diagnostics.hpp"
+#include "candela/io/placed_warnings.hpp"
 
 namespace candela::io {
 
@@ -14,7 +14,7 @@ namespace candela::io {
 /// repair makes of it, leaves the folder.
 [[nodiscard]] std::filesystem::path file_of_scene_uri(const std::filesystem::path& folder,
                                                       const std::string& uri, const std::string& where,
-                                                      Diagnostics& diagnostics);
+                                                      PlacedWarnings& warnings);
 
 /// Whether the URI is to be fetched from the web, which is never done.
 [[nodiscard]] bool is_web_uri(const std::string& uri);
