@@ -66,6 +66,22 @@ FN float ev100_from_exposure(float exposure) {
     return log2(100.0f * kLensAttenuation / (kSaturationExposure * exposure));
 }
 
+// What a meter's reading is displayed as, linear: an 18 % grey card that is metered alone comes out as 18 % of white, the
+// sRGB code value 118 that ISO 12232 defines standard output sensitivity by (461/1000 of full scale).
+CONSTANT float kMeteredGrey = 0.18f;
+
+// The factor from cd/m^2 to exposed values by standard output: the luminance that a reflected-light meter reads at this
+// exposure value (K = 12.5) gives kMeteredGrey. 0.79 stops more than exposure_from_ev100, which leaves half a stop of
+// headroom above the 12.7 % of a saturation-based speed.
+FN float standard_output_exposure(float ev100) {
+    return kMeteredGrey / luminance_from_ev100(ev100);
+}
+
+// Inverse of standard_output_exposure. exposure in m^2/cd, > 0.
+FN float ev100_from_standard_output(float exposure) {
+    return ev100_from_luminance(kMeteredGrey / exposure);
+}
+
 // Illuminance in lx on the sensor behind a lens at f/N that sees luminance_nit (Frostbite equations 70 and
 // 71).
 FN float sensor_illuminance(float luminance_nit, float aperture_f) {

@@ -80,6 +80,28 @@ FN vec3 tone_curve(int kind, vec3 exposed) {
     return saturate(exposed);
 }
 
+// The factor before a curve by which 18 % grey comes out as 18 %: a metered grey card is equally bright under every
+// curve. Neutral: its offset of 0.04 added. ACES and AgX: solved for the green channel.
+FN float tone_grey_gain(int kind) {
+    if (kind == kToneAces) return 1.461926f;
+    if (kind == kToneAgx) return 0.789357f;
+    if (kind == kToneNeutral) return 0.22f / 0.18f;
+    return 1.0f;
+}
+
+// What a display shows of exposed light, linear.
+FN vec3 display_from_exposed(int kind, vec3 exposed) {
+    return tone_curve(kind, exposed * tone_grey_gain(kind));
+}
+
+// The same where unlit surfaces cover part of a pixel. exposed: light summed over the rest, a its fraction of the pixel in
+// [0,1]. unlit: the surfaces' colour, display-linear, times the fraction they cover; KHR_materials_unlit shows it as it is.
+FN vec3 display_with_unlit(int kind, vec4 exposed, vec3 unlit) {
+    vec3 lit = vec3(exposed.x, exposed.y, exposed.z);
+    if (exposed.w <= 0.001f) return saturate(unlit + lit);
+    return saturate(exposed.w * display_from_exposed(kind, lit / exposed.w) + unlit);
+}
+
 CANDELA_SHADING_END
 
 #endif

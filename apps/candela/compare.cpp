@@ -159,8 +159,10 @@ Exposed choose_exposure(const CompareOptions& options, const Lineup& lineup) {
         out.ev100 = *options.exposure_ev100;
         out.source = "--exposure";
     } else if (found != order.end()) {
-        out.ev100 = shading::ev100_from_exposure(*(*found)->exposure);
+        out.options.exposure = *(*found)->exposure;
+        out.ev100 = (*found)->ev100.value_or(shading::ev100_from_standard_output(out.options.exposure));
         out.source = "picture";
+        return out;
     } else {
         const auto lit = std::find_if(order.begin(), order.end(), [](const auto* p) {
             return p->meaning == measure::PixelMeaning::luminance && measure::metered_ev100(p->picture);
@@ -170,7 +172,7 @@ Exposed choose_exposure(const CompareOptions& options, const Lineup& lineup) {
             out.source = "metered";
         }
     }
-    out.options.exposure = shading::exposure_from_ev100(out.ev100);
+    out.options.exposure = shading::standard_output_exposure(out.ev100);
     return out;
 }
 

@@ -11,6 +11,7 @@
 #include "candela/io/luminance_read.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
+#include "exposure_advice.hpp"
 #include "frame_mode.hpp"
 #include "option_rules.hpp"
 #include "path_mode.hpp"
@@ -68,6 +69,10 @@ NamedPicture load_luminance(const std::string& file, Diagnostics& diagnostics) {
         const float* exposure = std::get_if<float>(&found->second);
         if (exposure != nullptr && *exposure > 0.0f && std::isfinite(*exposure)) out.exposure = *exposure;
     }
+    if (const auto found = image.attributes.find("candela/ev100"); found != image.attributes.end()) {
+        const float* ev100 = std::get_if<float>(&found->second);
+        if (ev100 != nullptr && std::isfinite(*ev100)) out.ev100 = *ev100;
+    }
     return out;
 }
 
@@ -96,6 +101,7 @@ NamedPicture named(const std::string& name, const std::string& mode, const realt
     out.picture = {still.width, still.height, {}};
     for (const glm::vec4& nit : still.planes.light_nit) out.picture.pixels.emplace_back(nit);
     out.exposure = still.exposure;
+    out.ev100 = still.ev100;
     out.settings = {{"mode", mode},
                     {"profile", job.profile.name},
                     {"samples", std::to_string(samples)},
@@ -121,6 +127,7 @@ SceneSource path_source(const SceneOptions& options, const std::shared_ptr<Job>&
                 path.direct_only = options.direct_only;
                 path.shadows = options.job.shadows.way != "none";
                 const PathModePicture picture = render_by_path(*job, options.job, path, {});
+                advise_exposure(*job, picture.still);
                 NamedPicture out = named("path", "path", picture.still, *job, picture.info.device,
                                          picture.info.samples, options.job.seed);
                 if (options.direct_only) out.settings.emplace_back("light", "direct only");
@@ -140,6 +147,7 @@ SceneSource device_source(const SceneOptions& options, const std::shared_ptr<Job
                     device, *job,
                     {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels});
                 warn_of_unshadowed(frame.unshadowed_lights, job->diagnostics);
+                advise_exposure(*job, frame.still);
                 return named(name, integrate ? "integrate" : "realtime", frame.still, *job,
                              device_line(device.info()), samples, options.job.seed);
             }};

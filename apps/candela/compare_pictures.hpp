@@ -16,6 +16,7 @@ struct NamedPicture {
     measure::Picture picture;
     measure::PixelMeaning meaning = measure::PixelMeaning::luminance;
     std::optional<float> exposure;                              ///< 1 / (cd/m^2), where the file says so
+    std::optional<float> ev100;                                 ///< of that exposure, where the file says so
     std::vector<std::pair<std::string, std::string>> settings;  ///< for people
 };
 

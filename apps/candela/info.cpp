@@ -7,6 +7,7 @@
 #include "candela/scene/strokes.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "emission_units.hpp"
 #include "job.hpp"
 #include "light_info.hpp"
 #include "option_rules.hpp"
@@ -52,8 +53,10 @@ json scene_json(const JobOptions& options) {
     // What a picture would have in its place, the studio, is not in the scene.
     if (!options.environment.empty() || staged.stage.environment)
         set_environment(options, staged.stage, job);
-    else
+    else {
         refuse_options_of_no_environment(options, "the scene");
+        set_emission_units(options, !job.scene.environment && job.scene.lights.empty(), job);
+    }
     refuse_warnings(options, job.diagnostics);
     const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},
@@ -88,6 +91,7 @@ json scene_json(const JobOptions& options) {
     }
     std::size_t texture_texels = 0;
     for (const scene::Image& image : scene.images) texture_texels += std::size_t{image.width} * image.height;
+    out["units"] = emission_units_json(job.emission);
     out["images"] = scene.images.size();
     out["image_texels"] = texture_texels;
     out["warnings"] = warnings_json(job.diagnostics);

@@ -26,6 +26,8 @@ struct JobOptions : SceneFileOptions {
     std::optional<bool> env_visible;
     EnvironmentFileOptions env_file;
     bool env_keep_sun = false;
+    std::string units = "auto";  ///< of the scene file's emission: auto, absolute or relative
+    float emissive_scale = 1.0f;
     std::string size = "1280x720";
     float line_width_px = 1.0f;
     std::string camera;
@@ -65,11 +67,18 @@ void check_shadow_options(const CLI::App& command, const ShadowRequestOptions& o
 /// `where` is what turned out to have no environment.
 void refuse_options_of_no_environment(const JobOptions& options, const std::string& where);
 
+/// What an emission of 1 in the scene file is.
+struct EmissionUnits {
+    bool relative = false;  ///< to a white surface under the scene's light
+    float nit_per_unit = 1.0f;
+};
+
 struct Job {
     scene::Scene scene;
     scene::Camera camera;
     scene::Exposure exposure;
     realtime::Profile profile;
+    EmissionUnits emission;  ///< already applied to the scene's materials
     std::uint32_t tone_curve = 0;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -77,7 +86,8 @@ struct Job {
 };
 
 /// Puts the environment that the command line asks for into the job's scene, else the stage's, else the
-/// studio where nothing else gives light; a sky with its sun. Throws Error.
+/// studio where nothing else gives light; a sky with its sun; then decides what the scene's emission is in
+/// (emission_units.hpp). Throws Error.
 void set_environment(const JobOptions& options, const io::Stage& stage, Job& job);
 
 /// Loads and stages the scene; one that brings neither lights nor an environment gets the built-in studio, in

@@ -6,6 +6,7 @@
 #include "candela/measure/numerics.hpp"
 #include "candela/scene/environment_sources.hpp"
 #include "candela/scene/error.hpp"
+#include "emission_units.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
 #include "progress_line.hpp"
@@ -75,7 +76,10 @@ void warn_of_two_suns(const scene::Light& sun, const std::string& whose, Job& jo
 
 }  // namespace
 
-void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+namespace {
+
+/// Without the units of emission.
+void choose_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
     const ProgressLine line("reading the environment");
     float lux = 0.0f;  // 0: leave the scale as it is
     bool absolute = true;
@@ -102,8 +106,6 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
             job);
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
-        job.diagnostics.warn(
-            "the scene brings no light: lit by the built-in studio (--env FILE, --env none)");
     }
     if (!job.scene.environment) return refuse_options_of_no_environment(options, "the scene");
     scene::Environment& e = *job.scene.environment;
@@ -128,7 +130,23 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
     job.scene.lights.push_back(found);
 }
 
+}  // namespace
+
+void set_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
+    const bool brings_no_light = options.environment.empty() && !stage.environment &&
+                                 !job.scene.environment && job.scene.lights.empty();
+    choose_environment(options, stage, job);
+    const bool relative = set_emission_units(options, brings_no_light, job);
+    if (!brings_no_light) return;
+    std::string text = "the scene brings no light: lit by the built-in studio (--env FILE, --env none)";
+    if (relative)
+        text += "; its emission is relative, 1 is " + measure::readable(double(job.emission.nit_per_unit)) +
+                " cd/m2 (--units absolute)";
+    job.diagnostics.warn(text);
+}
+
 void add_environment_options(CLI::App& command, JobOptions& o) {
+    add_emission_options(command, o);
     command.add_option("--env", o.environment,
                        "Environment: .hdr, .exr, .ktx2, .dds, .png, .jpg, .webp, a folder of cube faces, "
                        "NAME_{face}.exr, sky, "

@@ -9,13 +9,12 @@
 #include <thread>
 
 #include "candela/realtime/exposure_control.hpp"
-#include "candela/realtime/metering.hpp"
+#include "candela/realtime/exposure_meter.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/truth/render_path.hpp"
 #include "fingerprint.hpp"
 #include "option_rules.hpp"
 #include "progress_line.hpp"
-#include "shading/exposure.glsl"
 
 namespace candela::app {
 namespace {
@@ -132,8 +131,15 @@ realtime::Still to_still(const Film& film, const Job& job) {
     const std::size_t pixels = std::size_t{film.width()} * film.height();
     still.planes.light_nit.resize(pixels);
     still.planes.ids = film.ids;
+    const bool any_unlit = std::any_of(job.scene.materials.begin(), job.scene.materials.end(),
+                                       [](const scene::Material& m) { return m.unlit; });
+    if (any_unlit) still.planes.unlit.resize(pixels);
     each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
         still.planes.light_nit[i] = mean3(p, n);
+        if (!any_unlit) return;
+        still.planes.unlit[i] = mean3(p + FilmLayout::unlit, n);
+        const double covered = n > 0 ? p[FilmLayout::unlit + 3] / n : 0.0;
+        still.planes.light_nit[i].a = static_cast<float>(1.0 - covered);
     });
     if (film.layout().aovs) {
         using realtime::Aov;
@@ -161,15 +167,13 @@ realtime::Still to_still(const Film& film, const Job& job) {
         });
     }
     const std::optional<float> metered =
-        job.exposure.automatic() ? realtime::metered_ev100(still.planes.light_nit) : std::nullopt;
+        job.exposure.automatic() ? realtime::metered_ev100(std::span<const glm::vec4>(still.planes.light_nit))
+                                 : std::nullopt;
     still.metered = metered.has_value();
     still.ev100 = job.exposure.automatic() ? metered.value_or(0.0f) : realtime::manual_ev100(job.exposure);
     still.ev100 -= job.exposure.compensation_ev;
-    still.exposure = shading::exposure_from_ev100(still.ev100);
-    // An unlit colour shows as written whatever the exposure.
-    each_pixel(film, [&](std::size_t i, const double* p, std::uint32_t n) {
-        still.planes.light_nit[i] += mean3(p + FilmLayout::unlit, n) / still.exposure;
-    });
+    still.exposure = realtime::exposure_at(still.ev100, job.profile.exposure);
+    realtime::add_unlit(still);
     return still;
 }
 
@@ -264,8 +268,9 @@ void check_path_options(const CLI::App& command, const ShadowRequestOptions& sha
             "in the mode " + mode + ": it is the path tracer's", "--mode path");
     refuse_together(command, {"--direct-only", "--max-bounces"});
     if (shadows.way == "none") refuse_together(command, {"--shadows", "--max-bounces"});
-    for (const char* light : {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible",
-                              "--env-hidden", "--env-keep-sun", "--light-scale", "--light-units"})
+    for (const char* light :
+         {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible", "--env-hidden",
+          "--env-keep-sun", "--light-scale", "--light-units", "--units", "--emissive-scale"})
         refuse_together(command, {"--furnace", light});
     if (!given(command, "--depth-of-field"))
         refuse_without_effect(command, {"--focus-m"}, "without a lens", "--depth-of-field");

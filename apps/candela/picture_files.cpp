@@ -11,7 +11,6 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "option_rules.hpp"
-#include "shading/tone_curves.glsl"
 #include "shading/transfer.glsl"
 
 namespace candela::app {
@@ -76,17 +75,20 @@ bool wants(const PictureFileOptions& options, const std::string& aov) {
 
 std::map<std::string, io::ExrAttribute> exr_attributes(const Job& job, const realtime::Still& still,
                                                        const PictureInfo& info) {
-    std::map<std::string, io::ExrAttribute> a{{"whiteLuminance", 1.0f},
-                                              {"candela/version", std::string(version())},
-                                              {"candela/mode", info.mode},
-                                              {"candela/profile", job.profile.name},
-                                              {"candela/techniques", realtime::describe(job.profile)},
-                                              {"candela/device", info.device},
-                                              {"candela/ev100", still.ev100},
-                                              {"candela/exposure", still.exposure},
-                                              {"candela/samples", std::to_string(info.samples)},
-                                              {"candela/seed", std::to_string(info.seed)},
-                                              {"candela/camera", job.camera.name}};
+    std::map<std::string, io::ExrAttribute> a{
+        {"whiteLuminance", 1.0f},
+        {"candela/version", std::string(version())},
+        {"candela/mode", info.mode},
+        {"candela/profile", job.profile.name},
+        {"candela/techniques", realtime::describe(job.profile)},
+        {"candela/device", info.device},
+        {"candela/ev100", still.ev100},
+        {"candela/exposure", still.exposure},
+        {"candela/samples", std::to_string(info.samples)},
+        {"candela/units", std::string(job.emission.relative ? "relative" : "absolute")},
+        {"candela/nit_per_emission", job.emission.nit_per_unit},
+        {"candela/seed", std::to_string(info.seed)},
+        {"candela/camera", job.camera.name}};
     for (const auto& [name, value] : info.settings) a["candela/" + name] = value;
     if (job.exposure.aperture_f) a["aperture"] = *job.exposure.aperture_f;
     if (job.exposure.shutter_s) a["expTime"] = *job.exposure.shutter_s;
@@ -122,10 +124,8 @@ std::vector<Word> encode(const Job& job, const realtime::Still& still) {
     constexpr float top = static_cast<float>(std::numeric_limits<Word>::max());
     std::vector<Word> words(still.planes.light_nit.size() * 3);
     std::size_t out = 0;
-    for (const glm::vec4& nit : still.planes.light_nit) {
-        const glm::vec3 exposed = glm::vec3(nit) * still.exposure;
-        const glm::vec3 display =
-            shading::srgb_from_linear(shading::tone_curve(static_cast<int>(job.tone_curve), exposed));
+    for (const glm::vec3& linear : realtime::display_linear(still, job.tone_curve)) {
+        const glm::vec3 display = shading::srgb_from_linear(linear);
         for (int c = 0; c < 3; ++c) {
             words[out++] = static_cast<Word>(std::clamp(display[c], 0.0f, 1.0f) * top + 0.5f);
         }

@@ -8,6 +8,8 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "emission_units.hpp"
+#include "exposure_advice.hpp"
 #include "frame_mode.hpp"
 #include "job.hpp"
 #include "path_mode.hpp"
@@ -70,6 +72,7 @@ nlohmann::json result_json(const RenderOptions& options, const Job& job, const r
             {"ev100", still.ev100},
             {"exposure", still.exposure},
             {"automatic_exposure", job.exposure.automatic()},
+            {"units", emission_units_json(job.emission)},
             {"seconds", seconds},
             {"passes", pass_times_json(still.pass_times)},
             {"warnings", warnings_json(job.diagnostics)}};
@@ -128,6 +131,7 @@ int render(RenderOptions options) {
     if (job.exposure.automatic() && !still.metered) {
         job.diagnostics.warn("the picture is black: nothing to meter (no light, or nothing in view)");
     }
+    advise_exposure(job, still);
     const auto write = std::chrono::steady_clock::now();
     {
         const ProgressLine line("writing");

@@ -154,13 +154,13 @@ TEST(Comparison, DisplayPicturesHaveNoHdrFlip) {
     EXPECT_GT(c.metrics.flip, 0.0);
 }
 
-TEST(Comparison, MeteringIsTheLogarithmicMean) {
+TEST(Comparison, MetersAsTheAutomaticExposureDoes) {
     Picture p = uniform(4, 1, glm::vec3(100.0f));
     p.pixels[0] = glm::vec3(1.0f);
     p.pixels[1] = glm::vec3(0.0f);
     p.pixels[2] = glm::vec3(std::nanf(""));
-    // 1 and 100 are left: 10 cd/m^2.
-    EXPECT_NEAR(*metered_ev100(p), candela::shading::ev100_from_luminance(10.0f), 1e-4f);
+    // 1 and 100 are left: the logarithmic mean is 10 cd/m^2, without the darkest tenth a little more.
+    EXPECT_NEAR(*metered_ev100(p), candela::shading::ev100_from_luminance(10.0f), 0.3f);
     EXPECT_FALSE(metered_ev100(uniform(2, 2, glm::vec3(0.0f))));
 }
 

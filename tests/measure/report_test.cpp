@@ -74,7 +74,8 @@ json drive(const Report& report, const std::string& fragment) {
 
 /// What the display must show, by the renderer's own functions.
 glm::vec3 shown(const glm::vec3& nit, float exposure) {
-    const glm::vec3 toned = candela::shading::tone_curve(candela::shading::kToneNeutral, nit * exposure);
+    const glm::vec3 toned =
+        candela::shading::display_from_exposed(candela::shading::kToneNeutral, nit * exposure);
     return 255.0f * candela::shading::srgb_from_linear(candela::shading::saturate(toned));
 }
 

@@ -53,6 +53,17 @@ TEST(Exposure, WhatAMeterReadsLandsAtTheSameFractionOfSaturation) {
     EXPECT_NEAR(illuminance_from_ev100(ev100_from_illuminance(lux)), lux, 1e-3f);
 }
 
+// ISO 12232, standard output sensitivity: what the meter reads comes out at 118 of 255.
+TEST(Exposure, StandardOutputShowsWhatAMeterReadsAs18Percent) {
+    for (const float nit : {0.01f, 1.0f, 4000.0f})
+        EXPECT_NEAR(nit * standard_output_exposure(ev100_from_luminance(nit)), 0.18f, 1e-5f);
+    EXPECT_NEAR(ev100_from_standard_output(standard_output_exposure(7.3f)), 7.3f, 1e-5f);
+    // Sunny 16: a grey card in 120,000 lx is not a stop dark.
+    const float card = nit_from_lx_lambertian(120000.0f, 0.18f);
+    const float exposed = card * standard_output_exposure(ev100_from_camera(16.0f, 1.0f / 125.0f, 100.0f));
+    EXPECT_LT(std::abs(std::log2(exposed / 0.18f)), 1.0f);
+}
+
 // Frostbite section 5.1.4: f/16 and 1/ISO suit a subject in direct sun. Section 5.1.2 wants an 18 % surface
 // at 18 % / sqrt(2) = 12.7 % of saturation, half a stop below 18 %; the rule of thumb is met within half a
 // stop (9 % to 18 %), and nothing that is white may clip (100 % reflectance stays under saturation).

@@ -9,6 +9,20 @@ void expect_near(const vec3& actual, const vec3& expected, float tolerance) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "channel " << i;
 }
 
+TEST(ToneCurves, EveryCurveKeeps18PercentGrey) {
+    for (const int kind : {kToneNone, kToneAces, kToneAgx, kToneNeutral})
+        expect_near(display_from_exposed(kind, vec3(0.18f)), vec3(0.18f), 1e-4f);
+}
+
+TEST(ToneCurves, UnlitColoursAreAddedAfterTheCurve) {
+    const vec3 orange(1.0f, 0.2158605f, 0.0f);
+    for (const int kind : {kToneNone, kToneAces, kToneAgx, kToneNeutral}) {
+        EXPECT_EQ(display_with_unlit(kind, vec4(0.0f), orange), orange);
+        expect_near(display_with_unlit(kind, vec4(0.09f, 0.09f, 0.09f, 0.5f), 0.5f * orange),
+                    vec3(0.09f) + 0.5f * orange, 1e-4f);
+    }
+}
+
 TEST(ToneCurves, AllStayInTheDisplayRangeAndGreysRise) {
     for (int kind = kToneNone; kind <= kToneNeutral; ++kind) {
         float last = -1.0f;

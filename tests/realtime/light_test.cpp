@@ -88,7 +88,9 @@ TEST(Light, Sunny16ExposesAGreyCardToBetweenATenthAndAFifthOfSaturation) {
     camera.aperture_f = 16.0f;
     camera.shutter_s = 1.0f / 125.0f;
     camera.iso = 100.0f;
-    const realtime::Still still = render(s, kFront, camera, options("ue4"));
+    realtime::RendererOptions o = options("ue4");
+    o.profile.exposure = realtime::ExposureTechnique::saturation;
+    const realtime::Still still = render(s, kFront, camera, o);
     const float expected_nit = 120000.0f * 0.18f / kPi;
     EXPECT_NEAR(center(still).x, expected_nit, 0.01f * expected_nit);
     EXPECT_NEAR(still.ev100, 14.97f, 0.01f);

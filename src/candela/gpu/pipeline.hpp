@@ -44,7 +44,8 @@ struct ComputePipeline {
                                                       const LayoutDesc& layout,
                                                       const Specialization& constants = {});
 
-enum class Blend : std::uint8_t { off, write_nothing, premultiplied_over };
+/// cover: what is there times 1 - alpha, nothing added.
+enum class Blend : std::uint8_t { off, write_nothing, premultiplied_over, cover };
 
 struct VertexAttribute {
     VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "candela/measure/parallel_rows.hpp"
-#include "shading/exposure.glsl"
+#include "candela/realtime/exposure_meter.hpp"
 #include "shading/tone_curves.glsl"
 #include "shading/transfer.glsl"
 
@@ -31,7 +31,7 @@ Picture display_linear(const Picture& picture, const ComparisonOptions& options)
     if (options.meaning == PixelMeaning::display)
         return map_pixels(picture, [](const glm::vec3& p) { return shading::linear_from_srgb(p); });
     return map_pixels(picture, [&](const glm::vec3& p) {
-        return shading::saturate(shading::tone_curve(options.tone_curve, p * options.exposure));
+        return shading::saturate(shading::display_from_exposed(options.tone_curve, p * options.exposure));
     });
 }
 
@@ -102,16 +102,7 @@ Picture display_picture(const Picture& picture, const ComparisonOptions& options
 }
 
 std::optional<float> metered_ev100(const Picture& luminance_nit) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const glm::vec3& p : luminance_nit.pixels) {
-        const float nit = shading::luminance(p);
-        if (!(nit > 0.0f) || !std::isfinite(nit)) continue;
-        sum += std::log2(double(nit));
-        ++count;
-    }
-    if (count == 0) return std::nullopt;
-    return shading::ev100_from_luminance(static_cast<float>(std::exp2(sum / double(count))));
+    return realtime::metered_ev100(std::span<const glm::vec3>(luminance_nit.pixels));
 }
 
 const std::vector<std::string>& metric_names() {

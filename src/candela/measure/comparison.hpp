@@ -51,8 +51,8 @@ struct Comparison {
 /// What a display shows, as code values in [0,1].
 [[nodiscard]] Picture display_picture(const Picture& picture, const ComparisonOptions& options);
 
-/// The exposure that a meter would choose: EV100 of the logarithmic mean of the positive, finite luminances
-/// in cd/m^2 (Frostbite equation 69). Nothing for a picture without one.
+/// The automatic exposure of a picture in cd/m^2 (realtime/exposure_meter.hpp). Nothing for one without
+/// positive, finite luminance.
 [[nodiscard]] std::optional<float> metered_ev100(const Picture& luminance_nit);
 
 /// The names that metric_value() knows: rmse, relmse, mae, max, psnr, ssim, flip, hdr-flip, bias (largest

@@ -15,6 +15,16 @@ float manual_ev100(const scene::Exposure& exposure) {
     return shading::ev100_from_camera(*exposure.aperture_f, *exposure.shutter_s, *exposure.iso);
 }
 
+float exposure_at(float ev100, ExposureTechnique technique) {
+    return technique == ExposureTechnique::saturation ? shading::exposure_from_ev100(ev100)
+                                                      : shading::standard_output_exposure(ev100);
+}
+
+float ev100_at(float exposure, ExposureTechnique technique) {
+    return technique == ExposureTechnique::saturation ? shading::ev100_from_exposure(exposure)
+                                                      : shading::ev100_from_standard_output(exposure);
+}
+
 namespace {
 
 /// Intensity in cd of a light far away, seen from where it is largest.
@@ -35,7 +45,7 @@ float intensity_cd(const scene::Light& light) {
     }
 }
 
-float typical_illuminance_lx(const scene::Light& light, const glm::vec3& center, float reach_m) {
+float illuminance_lx_of(const scene::Light& light, const glm::vec3& center, float reach_m) {
     const float strength = intensity_cd(light);
     if (scene::is_distant(light.type)) return strength;
     const float distance_m = std::max(glm::length(light.position - center), reach_m);
@@ -54,33 +64,40 @@ float visible_nit(const scene::Light& light) {
 
 }  // namespace
 
-LightEstimate estimate_light(const scene::Scene& scene) {
-    LightEstimate estimate;
+float typical_illuminance_lx(const scene::Scene& scene, const scene::Aabb& bounds) {
     float illuminance_lx = 0.0f;
-    const scene::Aabb bounds = scene::world_bounds(scene);
     const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.min + bounds.max);
     const float reach_m =
         bounds.empty() ? 1.0f : std::max(0.25f * glm::length(bounds.max - bounds.min), 1e-3f);
-    for (const scene::Light& light : scene.lights) {
-        illuminance_lx += typical_illuminance_lx(light, center, reach_m);
+    for (const scene::Light& light : scene.lights)
+        illuminance_lx += illuminance_lx_of(light, center, reach_m);
+    if (!scene.environment || scene.environment->luminance_nit.empty()) return illuminance_lx;
+    const scene::Environment& e = *scene.environment;
+    double sum = 0.0;
+    double solid_angles = 0.0;
+    for (std::uint32_t y = 0; y < e.height; ++y) {
+        // Rows of an equirectangular picture shrink towards the poles.
+        const double sine = std::sin(double(shading::PI) * (y + 0.5) / e.height);
+        solid_angles += sine * e.width;
+        for (std::uint32_t x = 0; x < e.width; ++x)
+            sum += sine * double(shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]));
+    }
+    return illuminance_lx + shading::PI * e.scale * static_cast<float>(sum / solid_angles);
+}
+
+LightEstimate estimate_light(const scene::Scene& scene) {
+    LightEstimate estimate;
+    for (const scene::Light& light : scene.lights)
         estimate.peak_nit = std::max(estimate.peak_nit, visible_nit(light));
-    }
-    if (scene.environment && !scene.environment->luminance_nit.empty()) {
-        const scene::Environment& e = *scene.environment;
-        double sum = 0.0;
-        for (const glm::vec3& texel : e.luminance_nit) {
-            sum += shading::luminance(texel);
+    if (scene.environment) {
+        for (const glm::vec3& texel : scene.environment->luminance_nit)
             estimate.peak_nit =
-                std::max(estimate.peak_nit, std::max(texel.x, std::max(texel.y, texel.z)) * e.scale);
-        }
-        illuminance_lx +=
-            shading::PI * e.scale * static_cast<float>(sum / static_cast<double>(e.luminance_nit.size()));
+                std::max(estimate.peak_nit, shading::max_component(texel) * scene.environment->scale);
     }
-    for (const scene::Material& material : scene.materials) {
-        const glm::vec3& e = material.emissive_nit;
-        estimate.peak_nit = std::max(estimate.peak_nit, std::max(e.x, std::max(e.y, e.z)));
-    }
-    estimate.typical_nit = 0.18f * illuminance_lx * shading::INV_PI;
+    for (const scene::Material& material : scene.materials)
+        estimate.peak_nit = std::max(estimate.peak_nit, shading::max_component(material.emissive_nit));
+    estimate.typical_nit =
+        0.18f * typical_illuminance_lx(scene, scene::world_bounds(scene)) * shading::INV_PI;
     if (estimate.typical_nit <= 0.0f)
         estimate.typical_nit = estimate.peak_nit > 0.0f ? 0.1f * estimate.peak_nit : 100.0f;
     return estimate;

@@ -1,15 +1,21 @@
 #pragma once
 
+#include "candela/realtime/profile.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::realtime {
 
-/// Fractions of the metered pixels, from dark to bright, whose average the automatic exposure follows.
-inline constexpr double kMeterLow = 0.10;
-inline constexpr double kMeterHigh = 0.95;
-
 /// EV100 of an exposure that is not automatic, without its compensation.
 [[nodiscard]] float manual_ev100(const scene::Exposure& exposure);
+
+/// The factor from cd/m^2 to exposed values, 1 = white: by the profile's slot `exposure`.
+[[nodiscard]] float exposure_at(float ev100, ExposureTechnique technique);
+/// Its inverse.
+[[nodiscard]] float ev100_at(float exposure, ExposureTechnique technique);
+
+/// Illuminance in lx somewhere in the middle of `bounds`, within a few stops, by the scene's lights and its
+/// environment (the mean over all directions); emissive surfaces are not counted.
+[[nodiscard]] float typical_illuminance_lx(const scene::Scene& scene, const scene::Aabb& bounds);
 
 /// What the lights of a scene promise before anything is drawn.
 struct LightEstimate {

@@ -21,8 +21,8 @@ gpu::GraphicsDesc make_desc(const FrameResources& frame, const GpuScene& scene) 
     desc.vertex = shaders::mesh_vert;
     desc.fragment = frame.integrate ? shaders::integrate_forward_frag : choose(variants, frame, scene);
     describe_vertices(desc);
-    desc.color_formats = {frame.light_format()};
-    desc.blends = {gpu::Blend::premultiplied_over};
+    desc.color_formats = {frame.light_format(), kUnlitFormat};
+    desc.blends = {gpu::Blend::premultiplied_over, gpu::Blend::premultiplied_over};
     desc.depth_format = kDepthFormat;
     desc.depth_write = false;
     return desc;
@@ -51,7 +51,7 @@ void ForwardPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
     use_shading_inputs(commands, frame, scene);
     const VkDescriptorSet set =
         commands.descriptors().allocate(pipelines_.layout(), 0, shading_bindings(frame, scene));
-    const std::array targets{gpu::ColorTarget{&frame.light}};
+    const std::array targets{gpu::ColorTarget{&frame.light}, gpu::ColorTarget{&frame.unlit}};
     commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth});
     pipelines_.draw(commands, scene.vertices, order_.indices(), order_.draws(), set);
     commands.end_rendering();

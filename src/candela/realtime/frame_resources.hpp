@@ -12,6 +12,7 @@
 #include "candela/realtime/integrate_pass.hpp"
 #include "candela/realtime/local_light.hpp"
 #include "candela/realtime/profile.hpp"
+#include "candela/scene/half_range.hpp"
 
 namespace candela::realtime {
 
@@ -51,6 +52,7 @@ inline constexpr std::uint32_t kShadingClasses = 4;
 inline constexpr std::uint32_t kTileSize = 8;
 
 inline constexpr VkFormat kGBufferFormat = VK_FORMAT_R32G32B32A32_UINT;
+inline constexpr VkFormat kUnlitFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kIdFormat = VK_FORMAT_R32G32_UINT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kPictureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -83,6 +85,7 @@ struct FrameResources {
     bool write_aovs = false;
     bool has_environment = false;
     std::uint32_t shadow_kinds = 0;  ///< of shadow_kind_bits(); 0: every light shines through everything
+    bool has_unlit = false;          ///< unlit colours are kept apart from light
     bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible
@@ -90,7 +93,9 @@ struct FrameResources {
     gpu::Image layers;  ///< 1 x 1 without all_targets
     gpu::Image ids;     ///< 1 x 1 without all_targets
     gpu::Image depth;
-    gpu::Image light;  ///< pre-exposed
+    gpu::Image light;  ///< pre-exposed; alpha: the fraction of a pixel that unlit surfaces leave
+    gpu::Image
+        unlit;  ///< their colours, display-linear, times the rest; 1 x 1 without unlit and blended draws
     gpu::Buffer tiles;
     bool culled_lights = false;  ///< tiles and cells have lists of their own
     LightListPlaces light_places;
@@ -117,6 +122,8 @@ struct FrameResources {
     [[nodiscard]] VkFormat light_format() const noexcept {
         return integrate ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
     }
+    /// The largest number that fits the light buffer.
+    [[nodiscard]] float light_limit() const noexcept { return integrate ? 3.0e38f : scene::kLargestHalf; }
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 

@@ -186,6 +186,8 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.world_center = glm::vec3(instance.world * glm::vec4(draw.world_center, 1.0f));
             draw.world_bounds = transformed(draw.world_bounds, instance.world);
             draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
+            any_unlit |= (draw.features & feature_unlit) != 0;
+            any_blended |= draw.blended;
             if (!draw.blended) {
                 any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
                 any_layered |= (draw.features & feature_layered) != 0;

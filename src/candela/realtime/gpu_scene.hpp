@@ -94,6 +94,8 @@ class GpuScene {
     std::vector<BlendedSurface> blended_surfaces;
     bool any_emissive = false;  ///< emissive or unlit surfaces among the opaque draws
     bool any_layered = false;
+    bool any_unlit = false;  ///< opaque or blended
+    bool any_blended = false;
 
     /// Layout of set 1: the material's uniform block and its textures.
     [[nodiscard]] static std::vector<VkDescriptorType> material_set_layout();

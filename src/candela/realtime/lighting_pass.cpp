@@ -15,6 +15,7 @@ gpu::LayoutDesc layout() {
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);                        // light
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);                       // tiles
     types.insert(types.end(), kLightingAovs, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);  // unlit
     return {{types}, 0};
 }
 
@@ -54,7 +55,7 @@ LightingPass::LightingPass(const gpu::Device& device, const FrameResources& fram
     for (const Draw& draw : scene.draws) standard |= (draw.features & (feature_layered | feature_unlit)) == 0;
     if (standard) add(ShadingClass::standard);
     if (scene.any_layered) add(ShadingClass::layered);
-    if (frame.write_aovs) add(ShadingClass::unlit);
+    if (frame.write_aovs || frame.has_unlit) add(ShadingClass::unlit);
 }
 
 void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {
@@ -64,6 +65,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     commands.use(frame.layers, gpu::Use::sampled);
     commands.use(frame.depth, gpu::Use::sampled);
     commands.use(frame.light, gpu::Use::storage_write);
+    commands.use(frame.unlit, gpu::Use::storage_write);
     for (gpu::Image& aov : frame.aovs) commands.use(aov, gpu::Use::storage_write);
     commands.use(frame.tiles, gpu::Use::indirect_and_storage_read);
 
@@ -75,6 +77,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     bindings.push_back(gpu::bind_buffer(frame.tiles));
     for (std::size_t i = 0; i < kLightingAovs; ++i)
         bindings.push_back(gpu::bind_storage(frame.aovs[i].view()));
+    bindings.push_back(gpu::bind_storage(frame.unlit.view()));
 
     for (const ClassPipeline& p : pipelines_) {
         const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);

@@ -50,6 +50,8 @@ void MeshPipelines::prepare(const FrameResources& frame, const GpuScene& scene, 
             variant.layers = (draw.features & feature_layered) != 0;
             gpu::GraphicsDesc desc = desc_;
             desc.constants = specialization(frame, variant);
+            // An unlit surface covers light without adding any.
+            if (blended && (draw.features & feature_unlit) != 0) desc.blends.front() = gpu::Blend::cover;
             desc.cull_back_faces = (draw.features & feature_double_sided) == 0;
             pipelines_.emplace(draw.features, gpu::create_graphics_pipeline(*device_, desc, layout_));
         }

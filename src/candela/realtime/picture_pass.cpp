@@ -16,6 +16,12 @@ struct AccumulateBlock {
     std::int32_t first;
 };
 
+/// Push constants of shaders/present.comp.glsl.
+struct PresentBlock {
+    float exposure_change;
+    std::int32_t has_unlit;
+};
+
 gpu::Image picture_image(const gpu::Device& device, const FrameResources& frame) {
     return {device, {frame.width, frame.height, kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT}};
 }
@@ -50,6 +56,7 @@ PicturePass::PicturePass(const gpu::Device& device, const FrameResources& frame)
           {{{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
            sizeof(AccumulateBlock)})),
       sum_(picture_image(device, frame)) {
+    if (frame.has_unlit) unlit_sum_ = picture_image(device, frame);
     if (!frame.write_aovs) return;
     std::vector<VkDescriptorType> types{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
@@ -71,6 +78,7 @@ void PicturePass::record(gpu::Commands& commands, FrameResources& frame, float n
     };
     commands.begin_pass("accumulate");
     add(frame.light, sum_, nit_per_unit);
+    if (frame.has_unlit) add(frame.unlit, unlit_sum_, 1.0f);
     if (!frame.write_aovs) return;
 
     commands.begin_pass("aovs");
@@ -91,6 +99,7 @@ void PicturePass::record(gpu::Commands& commands, FrameResources& frame, float n
 PicturePass::Planes PicturePass::read(gpu::Commands& commands, FrameResources& frame, std::uint32_t samples) {
     Planes planes;
     planes.light_nit = read_mean(*device_, commands, sum_, samples);
+    if (frame.has_unlit) planes.unlit = read_mean(*device_, commands, unlit_sum_, samples);
     if (frame.write_aovs) {
         for (std::size_t i = 0; i < kAovCount; ++i) {
             planes.aovs[i] = read_mean(*device_, commands, aov_sums_[i], samples);
@@ -104,20 +113,21 @@ PresentPass::PresentPass(const gpu::Device& device, const FrameResources& frame,
     : pipeline_(gpu::create_compute_pipeline(
           device, shaders::present_comp,
           {{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-             VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
-           4},
+             VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
+           sizeof(PresentBlock)},
           {tone_curve})),
       display_(device, {frame.width, frame.height, VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT}) {}
 
 void PresentPass::record(gpu::Commands& commands, FrameResources& frame, float exposure_change) {
     commands.begin_pass("present");
     commands.use(frame.light, gpu::Use::sampled);
+    commands.use(frame.unlit, gpu::Use::sampled);
     commands.use(display_, gpu::Use::storage_write);
-    const std::array bindings{gpu::bind_buffer(frame.frame_block),
-                              gpu::bind_sampled(frame.light.view(), frame.nearest.get()),
-                              gpu::bind_storage(display_.view())};
-    commands.dispatch(pipeline_, bindings, gpu::push(exposure_change), groups(frame.width, 8),
-                      groups(frame.height, 8));
+    const std::array bindings{
+        gpu::bind_buffer(frame.frame_block), gpu::bind_sampled(frame.light.view(), frame.nearest.get()),
+        gpu::bind_storage(display_.view()), gpu::bind_sampled(frame.unlit.view(), frame.nearest.get())};
+    const PresentBlock block{exposure_change, frame.has_unlit ? 1 : 0};
+    commands.dispatch(pipeline_, bindings, gpu::push(block), groups(frame.width, 8), groups(frame.height, 8));
 }
 
 }  // namespace candela::realtime

@@ -17,7 +17,9 @@ class PicturePass {
 
     /// RGBA planes, row 0 on top: the sum of the samples divided by their number. Submits and waits.
     struct Planes {
+        /// a: the fraction of the pixel that shows light and not unlit surfaces.
         std::vector<glm::vec4> light_nit;
+        std::vector<glm::vec4> unlit;  ///< display-linear, times the rest; empty without unlit surfaces
         std::array<std::vector<glm::vec4>, kAovCount> aovs;  ///< empty without AOVs
         std::vector<glm::uvec2> ids;                         ///< of the last sample
     };
@@ -28,6 +30,7 @@ class PicturePass {
     gpu::ComputePipeline accumulate_;
     gpu::ComputePipeline unpack_;
     gpu::Image sum_;
+    gpu::Image unlit_sum_;
     std::array<gpu::Image, kAovCount> aov_sums_;
 };
 

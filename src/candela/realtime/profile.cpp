@@ -42,7 +42,8 @@ std::vector<Slot> slots() {
             slot("area-specular", &Profile::area_specular,
                  {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
             slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
-            slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-march"})};
+            slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-march"}),
+            slot("exposure", &Profile::exposure, {"standard-output", "saturation"})};
 }
 
 template <class Names>
@@ -66,7 +67,8 @@ Profile frostbite() {
             .reflection = ReflectionTechnique::dominant_direction,
             .specular_aa = SpecularAaTechnique::none,
             .area_diffuse = AreaDiffuseTechnique::structured_sampling,
-            .area_specular = AreaSpecularTechnique::dominant_direction};
+            .area_specular = AreaSpecularTechnique::dominant_direction,
+            .exposure = ExposureTechnique::saturation};
 }
 
 Profile ue4() {

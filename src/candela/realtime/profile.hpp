@@ -43,6 +43,8 @@ enum class AreaSpecularTechnique : std::uint8_t {
 };
 enum class ShadowFilterTechnique : std::uint8_t { pcss, pcf };
 enum class ContactShadowTechnique : std::uint8_t { none, screen_march };
+/// From EV100 to the factor that brings cd/m^2 to exposed values: shading/exposure.glsl.
+enum class ExposureTechnique : std::uint8_t { standard_output, saturation };
 
 struct Profile {
     std::string name;
@@ -58,6 +60,7 @@ struct Profile {
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;
     ShadowFilterTechnique shadow_filter = ShadowFilterTechnique::pcss;
     ContactShadowTechnique contact_shadows = ContactShadowTechnique::none;
+    ExposureTechnique exposure = ExposureTechnique::standard_output;
 };
 
 /// best, frostbite, ue4 or mobile. Throws Error (Fault::usage) at `where` that lists the names.

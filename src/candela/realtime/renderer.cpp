@@ -11,12 +11,14 @@
 #include "candela/realtime/classify_pass.hpp"
 #include "candela/realtime/cull_pass.hpp"
 #include "candela/realtime/exposure_control.hpp"
+#include "candela/realtime/exposure_meter.hpp"
 #include "candela/realtime/forward_pass.hpp"
 #include "candela/realtime/gbuffer_pass.hpp"
 #include "candela/realtime/lighting_pass.hpp"
 #include "candela/realtime/metering.hpp"
 #include "candela/realtime/shadow_pass.hpp"
 #include "candela/realtime/shape_pass.hpp"
+#include "candela/realtime/still.hpp"
 #include "candela/scene/half_range.hpp"
 #include "shading/exposure.glsl"
 #include "shading/sequence.glsl"
@@ -50,6 +52,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.ids = image(kIdFormat, color, frame.all_targets);
     frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
     frame.light = image(frame.light_format(), color | VK_IMAGE_USAGE_STORAGE_BIT, true);
+    frame.has_unlit = gpu_scene.any_unlit && !options.capture;
+    frame.unlit =
+        image(kUnlitFormat, color | VK_IMAGE_USAGE_STORAGE_BIT, gpu_scene.any_unlit || gpu_scene.any_blended);
     for (gpu::Image& aov : frame.aovs) aov = image(kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT, options.aovs);
     frame.tiles = gpu::Buffer(device, ClassifyPass::tile_buffer_bytes(frame.tile_count()),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
@@ -136,6 +141,18 @@ void write_light_places(FrameBlock& block, const FrameResources& frame, const Gp
         glm::vec4(near_m, static_cast<float>(std::max(places.cells.z, 1)) / stops, 0.0f, 0.0f);
 }
 
+constexpr int kMaxRecaptures = 4;
+
+/// What the exposure of a captured view is to be multiplied by so that its brightest texel is well inside
+/// half floats, 1 where it is already. A black view may be one that is fainter than they hold.
+float recapture_factor(std::span<const glm::vec4> units) {
+    float peak = 0.0f;
+    for (const glm::vec4& texel : units) peak = std::max(peak, shading::max_component(glm::vec3(texel)));
+    if (peak == 0.0f) return std::exp2(16.0f);
+    if (peak >= scene::kLargestHalfUnits) return std::exp2(-16.0f);
+    return peak < 1.0f ? 256.0f / peak : 1.0f;
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -163,11 +180,12 @@ struct Renderer::State {
         }
     }
 
-    /// The light buffer's exposure leaves the brightest thing in the scene within half floats.
+    /// The light buffer's exposure is the picture's (Frostbite 5.2), or up to 6 stops less where that brings
+    /// the brightest thing that can be seen into half floats: a display's black still has 16 steps then. What
+    /// is brighter is clamped.
     [[nodiscard]] float pre_exposure(float exposure) const {
-        return light_limits.peak_nit > 0.0f
-                   ? std::min(exposure, scene::kLargestHalfUnits / light_limits.peak_nit)
-                   : exposure;
+        if (options.integrate || !(light_limits.peak_nit > 0.0f)) return exposure;
+        return std::clamp(scene::kLargestHalfUnits / light_limits.peak_nit, exposure / 64.0f, exposure);
     }
 
     void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
@@ -197,6 +215,7 @@ struct Renderer::State {
     float environment_scale = 1.0f;
     bool environment_visible = true;
     std::optional<float> followed_ev100;
+    float capture_exposure = 0.0f;  ///< of the last captured view; 0: none yet
 };
 
 void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
@@ -211,11 +230,11 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     block.camera_position = glm::vec4(glm::vec3(camera.world[3]),
                                       camera.projection == scene::Projection::perspective ? 1.0f : 0.0f);
     block.camera_backward = glm::vec4(glm::normalize(glm::vec3(camera.world[2])), 0.0f);
-    block.exposure = glm::vec4(pre, 1.0f / pre, footprint, 0.0f);
+    block.exposure = glm::vec4(pre, 1.0f / pre, footprint, frame.light_limit());
     block.environment = glm::vec4(std::cos(environment_rotation_rad), std::sin(environment_rotation_rad),
                                   frame.environment.nit_per_unit, environment_visible ? 1.0f : 0.0f);
     block.size = glm::ivec4(frame.width, frame.height, gpu_scene.light_count, 0);
-    block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), 0);
+    block.tiles = glm::ivec4(frame.tiles_x, frame.tiles_y, frame.tile_count(), frame.has_unlit ? 1 : 0);
     write_light_places(block, frame, gpu_scene, scene_bounds);
     block.random = glm::uvec4(sample, options.seed, draws, 0);
     write_rays(block, glm::vec2(frame.width, frame.height));
@@ -225,6 +244,11 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
 void Renderer::State::record_light(const scene::Camera& camera) {
     shadows.record(commands, frame, gpu_scene);
     gbuffer.record(commands, frame, gpu_scene);
+    if (gpu_scene.any_unlit || gpu_scene.any_blended) {
+        const std::array targets{gpu::ColorTarget{&frame.unlit, gpu::Load::clear}};
+        commands.begin_rendering(targets, {});
+        commands.end_rendering();
+    }
     if (!options.capture) shapes.record(commands, frame, gpu_scene);
     classify.record(commands, frame);
     cull.record(commands, frame, gpu_scene);
@@ -235,24 +259,18 @@ void Renderer::State::record_light(const scene::Camera& camera) {
 }
 
 float Renderer::State::meter(const scene::Camera& camera, bool& found) {
-    float ev100 = shading::ev100_from_luminance(std::max(light_limits.typical_nit, 1e-6f));
-    found = false;
-    // A wild first guess only costs another look: the histogram spans 32 stops around it.
-    for (int attempt = 0; attempt < 3; ++attempt) {
-        const float pre = pre_exposure(shading::exposure_from_ev100(ev100));
+    const float guess = shading::ev100_from_luminance(std::max(light_limits.typical_nit, 1e-6f));
+    const std::optional<float> metered = meter_ev100(guess, [&](float pre) {
         write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
         shadows.prepare(commands, frame, gpu_scene, camera, false);
         commands.begin();
         record_light(camera);
         metering.record(commands, frame);
         commands.submit_and_wait();
-        float stops = 0.0f;
-        if (!average_log2_luminance(metering.bins(), kMeterLow, kMeterHigh, stops)) return ev100;
-        found = true;
-        ev100 = shading::ev100_from_luminance(std::exp2(stops) / pre);
-        if (std::abs(stops) < 12.0f) break;
-    }
-    return ev100;
+        return metering.bins();
+    });
+    found = metered.has_value();
+    return metered.value_or(guess);
 }
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const RendererOptions& options)
@@ -267,23 +285,29 @@ void Renderer::set_reflection_probes(std::span<const scene::ReflectionProbe> pro
 
 std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
     State& s = *state_;
-    const float ev100 = shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f));
-    const float pre = s.pre_exposure(shading::exposure_from_ev100(ev100));
     const std::size_t pixels = std::size_t{s.frame.width} * s.frame.height;
     gpu::Buffer read(*s.device, pixels * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                      gpu::MemoryKind::readback);
-    s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
-    s.commands.begin();
-    s.record_light(camera);
-    s.commands.copy(s.frame.light, read);
-    s.commands.submit_and_wait();
+    if (!(s.capture_exposure > 0.0f))
+        s.capture_exposure = shading::standard_output_exposure(
+            shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f)));
     std::vector<glm::vec4> out(pixels);
-    std::transform(read.mapped_as<std::uint64_t>().begin(), read.mapped_as<std::uint64_t>().end(),
-                   out.begin(), [&](std::uint64_t texel) {
-                       const glm::vec4 t = glm::unpackHalf4x16(texel);
-                       return glm::vec4(glm::vec3(t) / pre, t.w);
-                   });
+    // Where this view's light does not suit the exposure of the one before, it is drawn again.
+    for (int attempt = 0;; ++attempt) {
+        s.write_frame_block(camera, s.capture_exposure, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+        s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
+        s.commands.begin();
+        s.record_light(camera);
+        s.commands.copy(s.frame.light, read);
+        s.commands.submit_and_wait();
+        const std::span<const std::uint64_t> texels = read.mapped_as<const std::uint64_t>();
+        std::transform(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(pixels), out.begin(),
+                       [](std::uint64_t texel) { return glm::unpackHalf4x16(texel); });
+        const float factor = recapture_factor(out);
+        if (factor == 1.0f || attempt == kMaxRecaptures) break;
+        s.capture_exposure *= factor;
+    }
+    for (glm::vec4& texel : out) texel = glm::vec4(glm::vec3(texel) / s.capture_exposure, texel.w);
     return out;
 }
 
@@ -299,7 +323,7 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
     still.height = s.frame.height;
     still.ev100 = exposure.automatic() ? s.meter(camera, still.metered) : manual_ev100(exposure);
     still.ev100 -= exposure.compensation_ev;
-    still.exposure = shading::exposure_from_ev100(still.ev100);
+    still.exposure = exposure_at(still.ev100, s.options.profile.exposure);
 
     const float pre = s.pre_exposure(still.exposure);
     const std::uint32_t samples = std::max(1u, s.options.samples);
@@ -318,6 +342,7 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
     }
     still.pass_times = s.commands.pass_times();
     still.planes = s.picture->read(s.commands, s.frame, samples);
+    add_unlit(still);
     return still;
 }
 
@@ -333,7 +358,7 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
         if (!s.followed_ev100) s.followed_ev100 = s.meter(camera, found);
         ev100 = *s.followed_ev100;
     }
-    const float wanted = shading::exposure_from_ev100(ev100 - exposure.compensation_ev);
+    const float wanted = exposure_at(ev100 - exposure.compensation_ev, s.options.profile.exposure);
     const float pre = s.pre_exposure(wanted);
     s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
     s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, true);
@@ -342,10 +367,9 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     if (exposure.automatic()) s.metering.record(s.commands, s.frame);
     s.present->record(s.commands, s.frame, wanted / pre);
     s.commands.submit_and_wait();
-    float stops = 0.0f;
-    if (exposure.automatic() && average_log2_luminance(s.metering.bins(), kMeterLow, kMeterHigh, stops)) {
-        s.followed_ev100 = shading::ev100_from_luminance(std::exp2(stops) / pre);
-    }
+    if (!exposure.automatic()) return s.commands.pass_times();
+    if (const std::optional<MeterReading> reading = read_meter(s.metering.bins()))
+        s.followed_ev100 = shading::ev100_from_luminance(std::exp2(reading->stops) / pre);
     return s.commands.pass_times();
 }
 

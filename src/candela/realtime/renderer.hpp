@@ -7,8 +7,8 @@
 
 #include "candela/gpu/commands.hpp"
 #include "candela/realtime/integrate_pass.hpp"
-#include "candela/realtime/picture_pass.hpp"
 #include "candela/realtime/profile.hpp"
+#include "candela/realtime/still.hpp"
 #include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
@@ -34,17 +34,6 @@ struct RendererOptions {
     /// `samples`: the mode `integrate`.
     std::optional<IntegrateOptions> integrate;
     ProgressFunction progress;  ///< of render_still(): after each sample
-};
-
-/// A finished still, scene-referred: luminance in cd/m^2, exposure undone, row 0 on top.
-struct Still {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    float ev100 = 0.0f;     ///< of the camera, automatic or not, compensation included
-    float exposure = 0.0f;  ///< 1 / cd/m^2: luminance * exposure = 1 saturates the sensor (Frostbite 5.1.2)
-    bool metered = false;   ///< the automatic exposure found something to meter
-    PicturePass::Planes planes;
-    std::vector<gpu::PassTime> pass_times;  ///< of the last sample
 };
 
 /// Draws one scene with one set of options. The device must outlive it; one thread at a time.

@@ -25,6 +25,7 @@ void FilmLayout::add(const PathResult& path, float* pixel) const {
     add3(path.luminance_nit, pixel + luminance);
     pixel[squared] += shading::square(shading::luminance(path.luminance_nit));
     add3(path.unlit, pixel + unlit);
+    pixel[unlit + 3] += path.sees_unlit ? 1.0f : 0.0f;
     if (!aovs) return;
     add3(path.direct_diffuse, pixel + lobes);
     add3(path.direct_specular, pixel + lobes + 3);

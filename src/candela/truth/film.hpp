@@ -16,12 +16,12 @@ struct FilmLayout {
 
     static constexpr std::size_t luminance = 0;  ///< 3: cd/m^2
     static constexpr std::size_t squared = 3;    ///< 1: squared luminance of each path
-    static constexpr std::size_t unlit = 4;      ///< 3: display-referred
-    static constexpr std::size_t lobes = 7;    ///< 5 x 3: direct and indirect diffuse and specular, emissive
-    static constexpr std::size_t albedo = 22;  ///< 3
-    static constexpr std::size_t normal = 25;  ///< 3
-    static constexpr std::size_t distance = 28;  ///< 1
-    [[nodiscard]] std::size_t channels() const noexcept { return aovs ? 29 : 7; }
+    static constexpr std::size_t unlit = 4;      ///< 4: display-referred colour, number of paths that saw it
+    static constexpr std::size_t lobes = 8;    ///< 5 x 3: direct and indirect diffuse and specular, emissive
+    static constexpr std::size_t albedo = 23;  ///< 3
+    static constexpr std::size_t normal = 26;  ///< 3
+    static constexpr std::size_t distance = 29;  ///< 1
+    [[nodiscard]] std::size_t channels() const noexcept { return aovs ? 30 : 8; }
     /// Adds one path to the sums of its pixel.
     void add(const PathResult& path, float* pixel) const;
 };

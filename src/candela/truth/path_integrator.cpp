@@ -379,7 +379,10 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
             walk.result.material_id = geometry_.parts()[hit.part].material + 1;
             walk.result.albedo = p.unlit ? p.unlit_color : p.surface.base_color;
             walk.result.normal = p.normal;
-            if (p.unlit) walk.result.unlit = p.unlit_color;
+            if (p.unlit) {
+                walk.result.unlit = p.unlit_color;
+                walk.result.sees_unlit = true;
+            }
         }
         if (p.unlit) break;
         add_emission(walk, p, hit);

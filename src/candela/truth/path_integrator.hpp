@@ -42,7 +42,8 @@ struct PathResult {
     glm::vec3 indirect_diffuse{0.0f};
     glm::vec3 indirect_specular{0.0f};
     glm::vec3 emissive{0.0f};
-    glm::vec3 unlit{0.0f};  ///< display-referred colour of a surface without light
+    glm::vec3 unlit{0.0f};    ///< display-referred colour of a surface without light
+    bool sees_unlit = false;  ///< the camera ray ends on such a surface
     glm::vec3 albedo{0.0f};
     glm::vec3 normal{0.0f};
     float distance_m = std::numeric_limits<float>::infinity();  ///< along the camera ray

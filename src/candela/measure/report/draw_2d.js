@@ -9,9 +9,9 @@ function linearFromSrgb(v) {
   return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
 }
 
-// Khronos PBR Neutral of one colour, in place.
+// Khronos PBR Neutral of one colour, in place, with the gain that keeps 18 % grey.
 function toneNeutral(c) {
-  for (let i = 0; i < 3; ++i) c[i] = Math.max(c[i], 0);
+  for (let i = 0; i < 3; ++i) c[i] = Math.max(c[i] * 0.22 / 0.18, 0);
   const x = Math.min(c[0], c[1], c[2]);
   const offset = x <= 0.08 ? x - x * x / 0.16 : 0.04;
   for (let i = 0; i < 3; ++i) c[i] -= offset;

@@ -29,7 +29,7 @@ vec3 color_at(ivec2 texel, bool right) {
     }
     vec3 a = right ? texelFetch(picture_b, texel, 0).xyz : texelFetch(picture_a, texel, 0).xyz;
     if (!has_value(a)) return vec3(1.0, 0.0, 1.0);
-    if (kind != 2) return srgb_from_linear(tone_curve(tone, exposed(a)));
+    if (kind != 2) return srgb_from_linear(display_from_exposed(tone, exposed(a)));
     vec3 b = texelFetch(picture_b, texel, 0).xyz;
     if (!has_value(b)) return vec3(1.0, 0.0, 1.0);
     return srgb_from_linear(saturate(abs(exposed(a) - exposed(b))));

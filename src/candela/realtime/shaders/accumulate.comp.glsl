@@ -13,7 +13,8 @@ layout(push_constant) uniform Push {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, size))) return;
-    vec4 value = vec4(texelFetch(sample_image, pixel, 0).rgb * scale, 1.0);
+    vec4 texel = texelFetch(sample_image, pixel, 0);
+    vec4 value = vec4(texel.rgb * scale, texel.a);
     if (first == 0) value += imageLoad(sum_image, pixel);
     imageStore(sum_image, pixel, value);
 }

@@ -1,10 +1,11 @@
 // Blended surfaces, drawn back to front over the lit frame with the lighting pass's own code; pre-multiplied output.
-// Includers say how a surface is lit: light_surface() and kLightLimit, the largest number that fits the light buffer.
+// Includers say how a surface is lit: light_surface().
 #ifndef CANDELA_BLENDED_SURFACE_GLSL
 #define CANDELA_BLENDED_SURFACE_GLSL
 
 layout(location = 4) in vec3 in_position;
 layout(location = 0) out vec4 out_light;
+layout(location = 1) out vec4 out_unlit;
 
 void main() {
     vec4 base_alpha = base_color_and_alpha();
@@ -19,12 +20,14 @@ void main() {
     }
 #endif
     if (has(kUnlit)) {
-        out_light = vec4(base_alpha.rgb * base_alpha.a, base_alpha.a);
+        out_light = vec4(0.0, 0.0, 0.0, base_alpha.a);
+        out_unlit = vec4(base_alpha.rgb * base_alpha.a, base_alpha.a);
         return;
     }
     Lit lit = light_surface(g, in_position, view_direction(in_position), uvec2(gl_FragCoord.xy));
     vec3 sum = lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular + emissive_nit;
-    out_light = vec4(min(sum * frame.exposure.x, vec3(kLightLimit)) * base_alpha.a, base_alpha.a);
+    out_light = vec4(pre_exposed(sum) * base_alpha.a, base_alpha.a);
+    out_unlit = vec4(0.0, 0.0, 0.0, base_alpha.a);
 }
 
 #endif

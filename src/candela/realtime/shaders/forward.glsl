@@ -10,8 +10,6 @@
 #include "material.glsl"
 #include "shade.glsl"
 
-const float kLightLimit = 65504.0;
-
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
     vec3 facet = g.normal;
     if (kShadowKinds != 0u) {

@@ -7,10 +7,11 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     mat4 clip_to_world;
     vec4 camera_position;   // m; w = 1 perspective, 0 orthographic
     vec4 camera_backward;   // unit, towards the viewer
-    vec4 exposure;          // x pre-exposure (1 / nit), y its inverse, z footprint of a sample in pixels, w unused
+    vec4 exposure;          // x pre-exposure (1 / nit), y its inverse, z footprint of a sample in pixels,
+                            //   w the largest number that fits the light buffer
     vec4 environment;       // x cos, y sin of the rotation about +Y, z nit per texel unit, w 1 = drawn as background
     ivec4 size;             // x, y pixels; z lights; w unused
-    ivec4 tiles;            // x, y tiles; z tiles in a class list; w unused
+    ivec4 tiles;            // x, y tiles; z tiles in a class list; w 1 = unlit colours go to their own image
     vec4 ray;               // world direction through pixel (0, 0), any length
     vec4 ray_dx;            // its change per pixel
     vec4 ray_dy;
@@ -20,6 +21,9 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 light_slices;      // x nearest depth in m, y slices per natural logarithm of depth; z, w unused
     uvec4 random;           // x sample, y seed, z draws a sample (integrate.glsl); w unused
 } frame;
+
+// What the light buffer stores of a luminance in cd/m^2. Half floats end at 65504, and beyond it is infinity.
+vec3 pre_exposed(vec3 luminance_nit) { return min(luminance_nit * frame.exposure.x, vec3(frame.exposure.w)); }
 
 vec3 world_position(vec2 pixel, float depth) {
     vec2 ndc = pixel / vec2(frame.size.xy) * 2.0 - 1.0;

@@ -25,8 +25,8 @@ void main() {
     if (masked_out(base_alpha)) discard;
     out_gbuffer = pack_gbuffer(g);
 #ifdef GBUFFER_ALL_TARGETS
-    // An unlit colour is display-referred: it shows as written whatever the exposure.
-    out_light = vec4(has(kUnlit) ? base_alpha.rgb : emissive_nit * frame.exposure.x, 1.0);
+    // An unlit colour is display-referred: the lighting pass moves it to an image of its own.
+    out_light = vec4(has(kUnlit) ? base_alpha.rgb : pre_exposed(emissive_nit), 1.0);
     out_layers = has(kLayered) ? pack_layers(g) : uvec4(0u);
     out_ids = object.ids.xy;
 #endif

@@ -5,7 +5,6 @@
 #include "integrate.glsl"
 
 #define LIGHT_FORMAT rgba32f
-const float kLightLimit = 3.0e38;
 const bool kNeedsPosition = true;
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return integrate(g, position, v, pixel); }

@@ -5,8 +5,6 @@
 #include "material.glsl"
 #include "integrate.glsl"
 
-const float kLightLimit = 3.0e38;
-
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) { return integrate(g, position, v, pixel); }
 
 #include "blended_surface.glsl"

@@ -1,7 +1,7 @@
 // The body of the lighting pass: a workgroup is a tile of one shading class; the G-buffer is read once, all light is
 // summed in 32 bit, and the result is written pre-exposed (Frostbite 5.2). Includers say how a surface is lit:
-// light_surface(), defined after this file because it may read the images here, LIGHT_FORMAT of the light buffer,
-// kLightLimit, the largest number that fits it, and whether the surface's position is needed (kNeedsPosition).
+// light_surface(), defined after this file because it may read the images here, LIGHT_FORMAT of the light buffer, and
+// whether the surface's position is needed (kNeedsPosition).
 #ifndef CANDELA_LIGHT_PIXELS_GLSL
 #define CANDELA_LIGHT_PIXELS_GLSL
 
@@ -23,6 +23,7 @@ layout(set = 0, binding = kShadingBindings + 6, rgba32f) writeonly uniform image
 layout(set = 0, binding = kShadingBindings + 7, rgba32f) writeonly uniform image2D indirect_diffuse_image;
 layout(set = 0, binding = kShadingBindings + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
 layout(set = 0, binding = kShadingBindings + 9, rgba32f) writeonly uniform image2D emissive_image;
+layout(set = 0, binding = kShadingBindings + 10, rgba16f) writeonly uniform image2D unlit_image;
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel);
 
@@ -66,7 +67,7 @@ void main() {
                             (frame.environment.z * frame.environment.w);
         }
         if ((kLightKinds & (1u << uint(kLightSun))) != 0u) luminance_nit += suns_seen(normalize(pixel_ray(pixel)));
-        imageStore(light_image, pixel, vec4(min(luminance_nit * frame.exposure.x, vec3(kLightLimit)), 1.0));
+        imageStore(light_image, pixel, vec4(pre_exposed(luminance_nit), 1.0));
         if (kWriteAovs) write_aovs(pixel, kNoLight, vec3(0.0));
         return;
     }
@@ -75,7 +76,14 @@ void main() {
     if (shading_class(depth, words) != kShadingClass) return;
 
     if (kShadingClass == kClassUnlit) {
-        vec3 emissive_nit = words.w == kEmitterMark ? imageLoad(light_image, pixel).rgb * frame.exposure.y : vec3(0.0);
+        bool emitter = words.w == kEmitterMark;
+        vec3 stored = imageLoad(light_image, pixel).rgb;
+        vec3 emissive_nit = emitter ? stored * frame.exposure.y : vec3(0.0);
+        if (frame.tiles.w != 0 && !emitter) {
+            // Alpha of the light buffer is the fraction of the pixel that shows light.
+            imageStore(unlit_image, pixel, vec4(stored, 1.0));
+            imageStore(light_image, pixel, vec4(0.0));
+        }
         if (kWriteAovs) write_aovs(pixel, kNoLight, emissive_nit);
         return;
     }
@@ -87,7 +95,7 @@ void main() {
     vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
     vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);
     sum += emissive;
-    imageStore(light_image, pixel, vec4(min(sum, vec3(kLightLimit)), 1.0));
+    imageStore(light_image, pixel, vec4(min(sum, vec3(frame.exposure.w)), 1.0));
     if (kWriteAovs) write_aovs(pixel, lit, emissive * frame.exposure.y);
 }
 

@@ -6,7 +6,6 @@
 #include "shade.glsl"
 
 #define LIGHT_FORMAT rgba16f
-const float kLightLimit = 65504.0;
 const bool kNeedsPosition = kHasLights || kLocalLight != 0u;
 
 #include "light_pixels.glsl"

@@ -53,7 +53,7 @@ void main() {
     vec4 clip = frame.world_to_clip * vec4(start + t * ray, 1.0);
     gl_FragDepth = clip.z / clip.w;
     out_gbuffer = uvec4(packSnorm2x16(octahedral_encode(-ray)), 0u, kClassUnlit << 28u, kEmitterMark);
-    out_light = vec4(light.color_type.rgb * picture * frame.exposure.x, 1.0);
+    out_light = vec4(pre_exposed(light.color_type.rgb * picture), 1.0);
 #ifdef SHAPE_ALL_TARGETS
     out_ids = uvec2(0u);
 #endif
