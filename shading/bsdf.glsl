@@ -24,7 +24,7 @@ CONSTANT int kVisibilitySchlickSmith = 1;
 CONSTANT int kVisibilitySchlickSmithHalfAlpha = 2;
 CONSTANT int kFresnelSchlick = 0;
 CONSTANT int kFresnelSphericalGaussian = 1;
-// Schlick with the dielectric's f90 lowered below f0 = 2 % (Frostbite section 4.10.3).
+// Schlick with f90 lowered below f0 = 2 %, of dielectrics and metals (Frostbite sections 3.2.1 and 4.10.3).
 CONSTANT int kFresnelSchlickMicroOcclusion = 2;
 CONSTANT int kEnergyNone = 0;
 CONSTANT int kEnergyCompensated = 1;
@@ -106,8 +106,10 @@ FN PreparedSurface prepare_surface(Surface s, BsdfTechniques t, float NoV, vec4 
     p.perceptual_roughness = s.perceptual_roughness;
     p.alpha = alpha_from_perceptual_roughness(s.perceptual_roughness);
     vec3 dielectric_f90 = s.dielectric_f90;
+    vec3 metal_f90 = vec3(1.0f);
     if (t.fresnel == kFresnelSchlickMicroOcclusion) {
         dielectric_f90 = min(dielectric_f90, vec3(f90_from_f0(s.dielectric_f0)));
+        metal_f90 = vec3(f90_from_f0(s.base_color));
     }
     vec3 dielectric_scale = vec3(1.0f);
     vec3 metal_scale = vec3(1.0f);
@@ -122,7 +124,7 @@ FN PreparedSurface prepare_surface(Surface s, BsdfTechniques t, float NoV, vec4 
     float dielectric = 1.0f - s.metallic;
     p.diffuse = s.base_color * (dielectric * transmittance);
     p.specular_f0 = s.dielectric_f0 * dielectric_scale * dielectric + s.base_color * metal_scale * s.metallic;
-    p.specular_f90 = dielectric_f90 * dielectric_scale * dielectric + metal_scale * s.metallic;
+    p.specular_f90 = dielectric_f90 * dielectric_scale * dielectric + metal_f90 * metal_scale * s.metallic;
     return p;
 }
 

@@ -35,8 +35,9 @@ FN float ggx_half_sine2(float u, float alpha) {
     return u * a2 / (1.0f - u + u * a2);
 }
 
-// Exponent of the cosine lobe about the mirror direction that stands for a width of GGX: Blinn's exponent 2 / alpha^2 - 2 (Karis
-// 2013, "Specular D") by four, because the angle to the mirror direction is twice that to the normal.
+// Exponent of the cosine lobe about the mirror direction that stands for a width of GGX: Blinn's exponent 2 / alpha^2 - 2 (Walter
+// et al. 2007, section 5.2) by four, because the angle to the mirror direction is twice that to the normal, which is the
+// exponent behind D_Approx of Karis 2014, and one more for N.L.
 FN float cosine_power_from_alpha(float alpha) {
     return max(0.5f / (alpha * alpha) - 0.5f, 0.0f) + 1.0f;
 }

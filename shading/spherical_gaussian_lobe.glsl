@@ -17,6 +17,16 @@ FN float D_Approx(float alpha, float RoL) {
     return inverse_a2 * exp2(c * RoL - c);
 }
 
+// Over the printed lobe, which with the 1/pi that Karis moves into the light's colour integrates to 4 for smooth surfaces.
+CONSTANT float kSunLobePrintedFactor = 4.0f;
+
+// The lobe of prefiltered environments in the sun's direction, in 1/sr: D_Approx with the factor that makes its energy 1. What it
+// is multiplied by is the illuminance on a plane that faces the sun, without a cosine, for it integrates the light's radiance as
+// the prefilter does; below the horizon there is none. NoL: cosine between normal and light.
+FN float sun_lobe_gaussian(float alpha, float RoL, float NoL) {
+    return NoL > 0.0f ? D_Approx(alpha, RoL) * (0.25f * INV_PI) : 0.0f;
+}
+
 CANDELA_SHADING_END
 
 #endif

@@ -1,9 +1,10 @@
-// The ways to end the inverse square's falloff that Frostbite weighs before it picks window_attenuation() (punctual.glsl).
-// Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4, equations 23 to 25 and Figure 25.
+// Falloffs with distance beside the one that the frame has, distance_attenuation() (punctual.glsl).
+// Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4, equations 23 to 25 and Figure 25; Karis 2013, equation 9 and
+// Figure 9.
 #ifndef CANDELA_LIGHTS_FALLOFF_WINDOWS_GLSL
 #define CANDELA_LIGHTS_FALLOFF_WINDOWS_GLSL
 
-#include "../language.glsl"
+#include "punctual.glsl"
 
 CANDELA_SHADING_BEGIN
 
@@ -23,6 +24,21 @@ FN float window_attenuation_smoothstep(float distance_m, float range_m) {
 FN float distance_attenuation_scale_bias(float distance_m, float range_m) {
     float threshold = 1.0f / square(range_m);
     return max(1.0f / square(distance_m) - threshold, 0.0f) / (1.0f - threshold);
+}
+
+// Karis 2013, equation 9: 1/m^2, the windowed inverse square with an offset under it that keeps it finite. He adds 1 squared
+// unit of his engine, which is 1 cm^2 (1e-4 m^2), and has artists change it where physical correctness is not wanted.
+// offset_m2 >= 0.
+FN float distance_attenuation_offset(float distance_m, float range_m, float offset_m2) {
+    float distance2 = square(distance_m);
+    return window_of_square(distance2 / square(range_m)) / max(distance2 + offset_m2, 1.0e-12f);
+}
+
+// What Unreal Engine had before equation 9, left in Figure 9: a power of what the squared share of the range leaves, 1 at the
+// light whatever its range. A pure number: the engine's brightness has no unit. The paper does not print it; form and exponent
+// (2; 8 in Unreal Engine 4) are those of the engine's "Light Falloff Exponent". exponent > 0.
+FN float falloff_exponent(float distance_m, float range_m, float exponent) {
+    return pow(saturate(1.0f - square(distance_m / range_m)), exponent);
 }
 
 CANDELA_SHADING_END

@@ -20,7 +20,7 @@ FN ProbeSum empty_probe_sum() {
 }
 
 // Adds the next larger probe: only what it sees beyond all before it counts, for probes that overlap are taken to see the
-// same part of the lobe. Lagarde & de Rousiers 2014, section 4.9.5, the corrected algorithm of version 3. luminance_nit: of
+// same part of the lobe. Lagarde & de Rousiers 2014, section 4.9.5, the corrected algorithm of version 2.0. luminance_nit: of
 // what the probe sees, not yet weighted by visibility.
 FN void add_probe(INOUT(ProbeSum) sum, vec3 luminance_nit, float visibility) {
     float share = saturate(visibility - sum.alpha);

@@ -2,6 +2,7 @@
 #ifndef CANDELA_LIGHT_CASES_GLSL
 #define CANDELA_LIGHT_CASES_GLSL
 
+#include "../../shading/lights/isotropic_line.glsl"
 #include "../../shading/lights/tube.glsl"
 #include "../../shading/lights/units.glsl"
 #include "../shading/agreement_case.glsl"
@@ -76,6 +77,14 @@ FN vec4 case_line_light(NUMBERS) {
     return vec4(line_illuminance(n, c, case_direction(u[5], u[6]), u[7]), line_cd_from_lm(10.0f * u[8]),
                 1.0e4f * sun_solid_angle(between(0.009f, 0.01f, u[9])), 1.0f);
 }
+FN vec4 case_isotropic_line(NUMBERS) {
+    vec3 n = case_direction(u[0], u[1]);
+    vec3 start = case_center(u[2], u[3], u[4]);
+    vec3 end = case_center(u[5], u[6], u[7]);
+    return vec4(isotropic_line_attenuation(n, start, end, 1.0e-2f),
+                isotropic_line_attenuation_printed(n, start, end, 1.0e-2f),
+                tube_projected_solid_angle_isotropic_line(n, start, case_direction(u[5], u[6]), u[8], 0.1f * u[9]), 1.0f);
+}
 FN vec4 case_light_direction(NUMBERS) {
     vec3 n = case_direction(u[0], u[1]);
     vec3 c = case_center(u[2], u[3], u[4]);
@@ -97,6 +106,7 @@ CANDELA_SHADING_END
     X(case_rectangle_points, 5e-5f)  \
     X(case_tube_light, 5e-5f)        \
     X(case_line_light, 2e-5f)        \
+    X(case_isotropic_line, 1e-4f)    \
     X(case_light_direction, 2e-4f)
 
 #endif

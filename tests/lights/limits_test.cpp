@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "candela/measure/area_configurations.hpp"
+#include "shading/lights/isotropic_line.glsl"
+#include "shading/lights/punctual.glsl"
 #include "shading/lights/tube.glsl"
 
 /// Where area lights are known to go wrong: at the horizon, on the surface, behind themselves, and at sizes
@@ -77,6 +79,42 @@ TEST(Limits, AThinTubeIsALineOfTheSameIntensity) {
                 << radius;
         }
     }
+}
+
+TEST(Limits, AnIsotropicLineWithoutLengthIsAPointLight) {
+    RandomNumbers u;
+    for (int i = 0; i < 200; ++i) {
+        const vec3 n(u.direction());
+        const vec3 c(u.direction() * u(0.5, 3.0));
+        const vec3 half = vec3(u.direction()) * 1e-4f;
+        const float point = std::max(dot(n, glm::normalize(c)), 0.0f) / dot(c, c);
+        EXPECT_NEAR(isotropic_line_attenuation(n, c - half, c + half, 0.0f), point, 1e-3f * point + 1e-4f);
+        // A tube without length is a sphere, above the horizon.
+        if (dot(n, c) > 0.1f) {
+            EXPECT_NEAR(tube_projected_solid_angle_isotropic_line(n, c, half * 1e4f, 0.0f, 0.05f),
+                        sphere_projected_solid_angle(n, c, 0.05f), 1e-3f * PI * 0.0025f * point + 2e-5f);
+        }
+    }
+}
+
+// Karis 2013, equation 16 clamps the mean cosine and goes out with half of this line in view.
+TEST(Limits, AnIsotropicLineFadesUntilItsTopIsBelowTheHorizon) {
+    const auto lit = [](float middle_m, bool printed) {
+        const vec3 low(1.0f, 0.0f, middle_m - 0.5f);
+        const vec3 high(1.0f, 0.0f, middle_m + 0.5f);
+        return printed ? isotropic_line_attenuation_printed(kUp, low, high, 0.0f)
+                       : isotropic_line_attenuation(kUp, low, high, 0.0f);
+    };
+    float before = lit(0.6f, false);
+    EXPECT_FLOAT_EQ(before, lit(0.6f, true));
+    for (float middle_m = 0.5f; middle_m > -0.5f; middle_m -= 0.05f) {
+        const float now = lit(middle_m, false);
+        EXPECT_LT(now, before);
+        EXPECT_GT(now, 0.0f);
+        before = now;
+    }
+    EXPECT_EQ(lit(-0.51f, false), 0.0f);
+    EXPECT_EQ(lit(-0.01f, true), 0.0f);
 }
 
 TEST(Limits, FarAwayEveryLightIsItsAreaInView) {

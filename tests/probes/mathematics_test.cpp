@@ -23,7 +23,7 @@ vec3 direction(uint i, uint count) {
 
 }  // namespace
 
-// Frostbite 4.9.5, as corrected in version 3: overlapping probes see the same part of the lobe.
+// Frostbite 4.9.5, as corrected in version 2.0: overlapping probes see the same part of the lobe.
 TEST(Composition, TenOverlappingProbesOfVisibilityOneTenthGiveOneTenth) {
     ProbeSum sum = empty_probe_sum();
     for (int i = 0; i < 10; ++i) add_probe(sum, vec3(100.0f), 0.1f);

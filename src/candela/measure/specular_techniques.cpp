@@ -139,11 +139,13 @@ std::vector<SpecularTechnique> specular_techniques(LightShape shape) {
          flat ? "Karis 2013, equation 20, applied to both directions (own)"
               : "Karis 2013, \"Representative Point\"",
          karis},
-        {"representative_point_" + name + ", dominant direction", "dominant direction",
-         "Frostbite, section 4.7.5", karis_dominant}};
+        {"representative_point_" + name +
+             (flat ? ", dominant direction, normalized" : ", dominant direction"),
+         "dominant direction",
+         flat ? "Frostbite, section 4.7.5; normalization own" : "Frostbite, section 4.7.5", karis_dominant}};
     if (flat)
-        out.push_back({"representative_point_" + name + ", not normalized",
-                       "dominant direction, not normalized", "Frostbite, section 4.7.5",
+        out.push_back({"representative_point_" + name + ", dominant direction",
+                       "dominant direction, not normalized", "Frostbite, section 4.7.5, as printed",
                        without_normalization});
     if (shape == LightShape::sphere)
         out.push_back(

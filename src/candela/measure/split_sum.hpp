@@ -9,8 +9,10 @@ namespace candela::measure {
 
 /// Mean errors that must not be exceeded, relative to the mean of the reference.
 struct SplitSumBounds {
-    double split_mean = 0.0;
+    double printed_mean = 0.0;
+    double weighted_mean = 0.0;
     double isotropic_mean = 0.0;
+    double weighted_over_printed = 1.0;  ///< met within 0.05
 };
 
 struct SplitSumMaterial {
@@ -18,9 +20,11 @@ struct SplitSumMaterial {
     float display_scale = 1.0f;  ///< on pictures only
     std::string name;
     SplitSumBounds bounds;
+    std::string weighting;  ///< what the weight by n.l does to it, a sentence
 };
 
-/// Karis 2013, Figures 4 and 5, for one material: reference, split sum, split sum with n = v.
+/// Karis 2013, Figures 4 and 5, for one material: reference, split sum as printed and weighted by n.l, split
+/// sum with n = v.
 [[nodiscard]] Findings split_sum_figure(const SplitSumMaterial& material);
 
 }  // namespace candela::measure

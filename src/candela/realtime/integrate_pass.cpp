@@ -77,6 +77,7 @@ gpu::Buffer upload(const gpu::Device& device, gpu::Commands& commands, const Tab
 
 Profile integrand(Profile profile) {
     profile.dfg = DfgTechnique::table;
+    profile.sun_specular = SunSpecularTechnique::full;
     profile.specular_aa = SpecularAaTechnique::none;
     return profile;
 }

@@ -14,6 +14,17 @@ std::array<const scene::TextureRef*, kMaterialTextures> texture_refs(const scene
             &m.anisotropy.texture};
 }
 
+namespace {
+
+/// Karis 2014: "Metallic and Specular material outputs aren't connected".
+bool default_nonmetal(const scene::Material& m) {
+    return m.workflow == scene::Workflow::metallic_roughness && m.metallic == 0.0f && m.specular == 1.0f &&
+           !m.specular_texture && m.specular_color == glm::vec3(1.0f) && !m.specular_color_texture &&
+           m.ior == 1.5f;
+}
+
+}  // namespace
+
 MaterialBlock material_block(const scene::Material& m) {
     MaterialBlock block{};
     block.base_color = m.base_color;
@@ -25,8 +36,8 @@ MaterialBlock material_block(const scene::Material& m) {
     block.clearcoat_anisotropy = glm::vec4(m.clearcoat.factor, m.clearcoat.perceptual_roughness,
                                            m.clearcoat.normal_scale, m.anisotropy.strength);
     const float f0 = m.ior > 0.0f ? shading::f0_from_ior(m.ior) : 1.0f;
-    block.f0_rotation =
-        glm::vec4(f0, std::cos(m.anisotropy.rotation_rad), std::sin(m.anisotropy.rotation_rad), 0.0f);
+    block.f0_rotation = glm::vec4(f0, std::cos(m.anisotropy.rotation_rad),
+                                  std::sin(m.anisotropy.rotation_rad), default_nonmetal(m) ? 1.0f : 0.0f);
     const auto refs = texture_refs(m);
     for (std::size_t i = 0; i < refs.size(); ++i) {
         const scene::TextureRef& ref = *refs[i];

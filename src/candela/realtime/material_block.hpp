@@ -36,7 +36,8 @@ struct MaterialBlock {
     glm::vec4 sheen;               // rgb, w perceptual roughness
     glm::vec4 clearcoat_anisotropy;  // x coat, y coat perceptual roughness, z coat normal scale, w anisotropy
                                      // strength
-    glm::vec4 f0_rotation;           // x dielectric f0 from ior, y cos, z sin of the anisotropy rotation
+    glm::vec4 f0_rotation;  // x dielectric f0 from ior, y cos, z sin of the anisotropy rotation, w 1 where
+                            // metallic and specular are at their defaults
     std::array<glm::vec4, 2 * kMaterialTextures> uv;  // rows of the 2 x 3 transform; first row's w: uv set
 };
 

@@ -31,6 +31,7 @@ std::vector<Slot> slots() {
             slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
             slot("energy", &Profile::energy, {"none", "compensated"}),
             slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-nonmetal", "fully-rough"}),
+            slot("sun-specular", &Profile::sun_specular, {"full", "d-approx", "d-approx-printed"}),
             slot("reflection", &Profile::reflection,
                  {"mirror-direction", "dominant-direction", "dominant-direction-fit", "fitted-direction",
                   "stretched-2", "stretched-3"}),
@@ -39,8 +40,10 @@ std::vector<Slot> slots() {
             slot("area-diffuse", &Profile::area_diffuse,
                  {"exact", "structured-sampling", "form-factor", "most-representative-point",
                   "most-representative-point-drobot", "light-position", "five-times"}),
+            slot("area-direction", &Profile::area_direction, {"representative-point", "light-position"}),
             slot("area-specular", &Profile::area_specular,
-                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening"}),
+                 {"ltc", "representative-point", "dominant-direction", "specular-d-widening",
+                  "dominant-direction-normalized"}),
             slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
             slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-march"}),
             slot("exposure", &Profile::exposure, {"standard-output", "saturation"})};
@@ -67,6 +70,7 @@ Profile frostbite() {
             .reflection = ReflectionTechnique::dominant_direction,
             .specular_aa = SpecularAaTechnique::none,
             .area_diffuse = AreaDiffuseTechnique::structured_sampling,
+            .area_direction = AreaDirectionTechnique::light_position,
             .area_specular = AreaSpecularTechnique::dominant_direction,
             .exposure = ExposureTechnique::saturation};
 }
@@ -81,6 +85,7 @@ Profile ue4() {
             .reflection = ReflectionTechnique::mirror_direction,
             .specular_aa = SpecularAaTechnique::none,
             .area_diffuse = AreaDiffuseTechnique::light_position,
+            .area_direction = AreaDirectionTechnique::light_position,
             .area_specular = AreaSpecularTechnique::representative_point,
             .shadow_filter = ShadowFilterTechnique::pcf};
 }
@@ -88,7 +93,8 @@ Profile ue4() {
 Profile mobile() {
     Profile profile = ue4();
     profile.name = "mobile";
-    profile.dfg = DfgTechnique::env_brdf_approx;
+    profile.dfg = DfgTechnique::env_brdf_approx_nonmetal;
+    profile.sun_specular = SunSpecularTechnique::d_approx;
     return profile;
 }
 

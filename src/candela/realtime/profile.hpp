@@ -22,6 +22,8 @@ enum class ReflectionTechnique : std::uint8_t {
     stretched_2,
     stretched_3
 };
+/// What directional lights and suns reflect in surfaces without layers.
+enum class SunSpecularTechnique : std::uint8_t { full, d_approx, d_approx_printed };
 /// Where a surface reads the irradiance of the environment.
 enum class IrradianceTechnique : std::uint8_t { normal, dominant_direction };
 enum class SpecularAaTechnique : std::uint8_t { none, footprint };
@@ -35,11 +37,14 @@ enum class AreaDiffuseTechnique : std::uint8_t {
     light_position,
     five_times,
 };
+/// The one direction in which lobes are evaluated that an area light's illuminance multiplies.
+enum class AreaDirectionTechnique : std::uint8_t { representative_point, light_position };
 enum class AreaSpecularTechnique : std::uint8_t {
     ltc,
     representative_point,
     dominant_direction,
-    specular_d_widening
+    specular_d_widening,
+    dominant_direction_normalized
 };
 enum class ShadowFilterTechnique : std::uint8_t { pcss, pcf };
 enum class ContactShadowTechnique : std::uint8_t { none, screen_march };
@@ -53,10 +58,12 @@ struct Profile {
     FresnelTechnique fresnel = FresnelTechnique::schlick;
     EnergyTechnique energy = EnergyTechnique::compensated;
     DfgTechnique dfg = DfgTechnique::table;
+    SunSpecularTechnique sun_specular = SunSpecularTechnique::full;
     ReflectionTechnique reflection = ReflectionTechnique::stretched_2;
     IrradianceTechnique irradiance = IrradianceTechnique::normal;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
+    AreaDirectionTechnique area_direction = AreaDirectionTechnique::representative_point;
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;
     ShadowFilterTechnique shadow_filter = ShadowFilterTechnique::pcss;
     ContactShadowTechnique contact_shadows = ContactShadowTechnique::none;

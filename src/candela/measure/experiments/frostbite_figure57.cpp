@@ -33,6 +33,8 @@ Findings run() {
     Findings out;
     Table table{"Half width of the lobe of each level in degrees", {"exponent"}, {}};
     for (int level = 1; level < kLevels; ++level) table.columns.push_back(std::to_string(level));
+    std::vector<double> steps;      ///< largest between neighbouring levels, degrees
+    std::vector<double> narrowest;  ///< level 1, degrees
     for (const double exponent : {1.0, 1.5, 2.0}) {
         Plot plot{"Exponent " + number(exponent, 2),
                   "One curve a level, by its peak.",
@@ -41,6 +43,8 @@ Findings run() {
                   {}};
         table.rows.push_back({number(exponent, 2)});
         double narrow = 0.0;
+        double before = 0.0;
+        steps.push_back(0.0);
         for (int level = 1; level < kLevels; ++level) {
             const float alpha = alpha_of(level, exponent);
             plot.series.push_back(curve("", linspace(0.0, 90.0, 181), [&](double degrees) {
@@ -49,13 +53,29 @@ Findings run() {
             const double width = half_width_deg(alpha);
             table.rows.back().push_back(fixed(width, 1));
             narrow += width < 10.0 ? 1.0 : 0.0;
+            steps.back() = std::max(steps.back(), width - before);
+            before = width;
+            if (level == 1) narrowest.push_back(width);
         }
         out.plots.push_back(std::move(plot));
         out.measured.push_back(within("Exponent " + number(exponent, 2) + ": levels narrower than 10 degrees",
-                                      narrow, exponent, 2.0 * exponent + 1.0));
+                                      narrow, exponent < 1.2 ? 2.0 : 4.0, exponent < 1.2 ? 2.0 : 4.0));
     }
+    out.measured.push_back(
+        within("largest step between levels, exponent 2 over exponent 1", steps[2] / steps[0], 1.7, 1.75));
+    out.measured.push_back(within("width of the narrowest level, exponent 2 over exponent 1",
+                                  narrowest[2] / narrowest[0], 0.12, 0.135));
     out.tables.push_back(std::move(table));
-    out.text = "The larger the exponent, the more levels go to smooth surfaces, as printed.";
+    out.text =
+        "Of the eight levels 2, 4 and 4 are narrower than 10 degrees with exponents 1, 1.5 and 2. The paper "
+        "says two things of it: the "
+        "caption of Figure 57 that exponent 2 distributes the profiles better over all levels, the text "
+        "before "
+        "equation 63 that the linear mapping has the better overall distribution and a slight blur at low "
+        "roughness. The widths bear the text out: the largest step between neighbouring levels is " +
+        fixed(steps[0], 1) + " degrees with exponent 1 and " + fixed(steps[2], 1) +
+        " with exponent 2, while the narrowest level is " + fixed(narrowest[0], 1) + " and " +
+        fixed(narrowest[2], 1) + " degrees wide.";
     return out;
 }
 

@@ -13,8 +13,8 @@ double lobe_answered(int count, double visibility) {
     return double(sum.alpha);
 }
 
-/// The algorithm before version 3 of the paper, which section 1.1 of its errata describes: each probe is
-/// taken to see another part of the lobe.
+/// The algorithm before version 2.0 of the paper, as its list of corrections describes it ("Version", section
+/// 4.9.5): each probe is taken to see another part of the lobe.
 double lobe_answered_before(int count, double visibility) {
     return std::min(1.0, count * visibility);
 }

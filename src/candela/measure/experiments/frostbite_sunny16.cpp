@@ -9,8 +9,8 @@ namespace {
 using namespace shading;
 
 Findings run() {
-    // Table 11 of the paper, measured around 1 pm facing the sun: sun and sky together, and on level ground.
-    constexpr double facing_lx = 142500.0;
+    // Table 11 of the paper, 1 pm: sun and sky together across the sun's rays, and on level ground.
+    constexpr double facing_lx = 150400.0;
     constexpr double level_lx = 113600.0;
     Table table{"A sunny day at f/16, ISO 100",
                 {"shutter", "subject", "illuminance, lx", "luminance, cd/m^2", "exposed value", "8-bit sRGB"},
@@ -44,17 +44,20 @@ Findings run() {
                ", which an incident meter asks for at " + fixed(rule_lx, 0) +
                " lx. With the paper's own daylight of Table 11 (" + number(level_lx, 6) +
                " lx on level ground at 1 pm) a grey card of 18 % comes out at " + fixed(grey_level, 3) +
-               " of saturation and white paper at " + fixed(white_level, 3) +
-               ": nothing of that clips (white facing the sun at 1/100 s would), and grey is near the middle "
+               " of saturation and white paper at " + fixed(white_level, 3) + ", facing the sun (" +
+               number(facing_lx, 6) + " lx) at " + fixed(white_level * facing_lx / level_lx, 3) +
+               ": nothing of that clips (at 1/100 s the last would), and grey is near the middle "
                "of the curve. A spot meter on the card would "
                "differ from the rule by " +
                fixed(metered_off, 2) + " stops.";
     out.measured = {
         within("EV100 of f/16, 1/125 s, ISO 100", ev100, 14.95, 14.98),
-        within("grey card of 18 % on level ground, exposed", grey_level, 0.12, 0.22),
-        within("white paper of 80 % on level ground, exposed", white_level, 0.5, 1.0),
-        within("spot meter on the grey card minus the rule", metered_off, -1.0, 1.0, "EV"),
-        within("illuminance that an incident meter asks the rule for", rule_lx, 60000.0, 110000.0, "lx")};
+        within("grey card of 18 % on level ground, exposed", grey_level, 0.168, 0.171),
+        within("white paper of 80 % on level ground, exposed", white_level, 0.745, 0.76),
+        within("white paper of 80 % across the sun's rays, exposed", white_level * facing_lx / level_lx, 0.99,
+               1.0),
+        within("spot meter on the grey card minus the rule", metered_off, 0.68, 0.72, "EV"),
+        within("illuminance that an incident meter asks the rule for", rule_lx, 79900.0, 80100.0, "lx")};
     out.tables = {table};
     return out;
 }

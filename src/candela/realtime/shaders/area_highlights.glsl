@@ -15,6 +15,9 @@ vec3 area_ltc(uint group, Light light, mat3 m, vec3 n, vec3 v, AreaLight a) {
     return vec3(ltc_ellipse(lobe, a.outline[0], a.outline[1], a.outline[2]));
 }
 
+// Frostbite has found no normalization for disks and rectangles (4.7.5) and takes none; Karis has neither shape.
+const bool kFlatNormalized = kAreaSpecular != kAreaSpecularDominantDirection;
+
 // The point that stands for the light in a lobe about `mirror`, and the lobe's normalization.
 vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float alpha, out float normalization) {
     float distance_m = length(a.to_center_m);
@@ -25,15 +28,20 @@ vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float 
         return representative_direction_of_sun(a.to_center_m, mirror, angular_radius_rad);
     }
     if (is_kind(kind, kLightRectangle)) {
-        normalization = representative_point_rectangle_normalization(alpha, a.half_width_m, a.half_height_m, distance_m);
+        if (kFlatNormalized) {
+            normalization = representative_point_rectangle_normalization(alpha, a.half_width_m, a.half_height_m, distance_m);
+        }
         return representative_point_rectangle(a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m, mirror);
     }
     if (group == kCapsules) {
         normalization = representative_point_tube_normalization(alpha, a.half_width_m, a.radius_m, distance_m);
         return representative_point_tube(a.to_center_m, a.right, a.half_width_m, a.radius_m, mirror);
     }
-    normalization = representative_point_sphere_normalization(alpha, a.radius_m, distance_m);
-    if (group == kPolygons || is_kind(kind, kLightDisk)) {
+    bool flat_one = group == kPolygons || is_kind(kind, kLightDisk);
+    if (kFlatNormalized || !flat_one) {
+        normalization = representative_point_sphere_normalization(alpha, a.radius_m, distance_m);
+    }
+    if (flat_one) {
         return representative_point_disk(a.to_center_m, a.direction, a.radius_m, mirror);
     }
     return representative_point_sphere(a.to_center_m, mirror, a.radius_m);
@@ -65,7 +73,7 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3
                                              length(point));
     } else {
         vec3 mirror = reflect(-v, n);
-        if (kAreaSpecular == kAreaSpecularDominantDirection) mirror = specular_dominant_direction_area(n, mirror, alpha);
+        if (kAreaSpecular == kAreaSpecularDominantDirection || kAreaSpecular == kAreaSpecularDominantNormalized) mirror = specular_dominant_direction_area(n, mirror, alpha);
         point = area_highlight_point(group, kind, a, mirror, alpha, normalization);
     }
     l = direction_of(point);
@@ -74,6 +82,8 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3
 
 vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
     vec3 sum = vec3(0.0);
+    // Of luminance 1 the disc gives pi sin^2 of its angular radius in lx on a plane that faces it.
+    if (is_kind(kind, kLightSun) && kSunByLobe) return sun_specular(p, a.to_center_m) * (PI * square(a.radius_m));
     if (kAreaSpecular == kAreaSpecularLtc) {
         // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
         // other words).
@@ -98,7 +108,7 @@ float area_highlights(uint group, int kind, Light light, SurfacePoint p, AreaLig
     lobe.alpha = p.prepared.alpha;
     lobe.f0 = p.prepared.specular_f0 * p.area.under_layers;
     lobe.f90 = p.prepared.specular_f90 * p.area.under_layers;
-    lobe.albedo = lobe.f0 * p.dfg.x + lobe.f90 * p.dfg.y;
+    lobe.albedo = max(lobe.f0 * p.dfg.x + lobe.f90 * p.dfg.y, vec3(0.0));
     float base_lx = 0.0;
     specular = vec3(0.0);
     const int lobes = kShadeLayers ? 2 : 1;

@@ -7,6 +7,7 @@
 #define CANDELA_AREA_LIGHTS_GLSL
 
 #include "lights/disk.glsl"
+#include "lights/isotropic_line.glsl"
 #include "lights/line.glsl"
 #include "lights/ltc.glsl"
 #include "lights/rectangle.glsl"
@@ -27,6 +28,8 @@ const int kAreaSpecularLtc = 0;
 const int kAreaSpecularRepresentativePoint = 1;
 const int kAreaSpecularDominantDirection = 2;
 const int kAreaSpecularWidening = 3;
+const int kAreaSpecularDominantNormalized = 4;
+const int kAreaDirectionLightPosition = 1;
 
 // First and last kind of each group; LightKind in C++ keeps them together.
 const uint kCapsules = 0u;  // line, tube
@@ -186,8 +189,18 @@ float tube_illuminance(vec3 n, AreaLight a) {
         case kAreaDiffuseExact: return tube_projected_solid_angle(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
         case kAreaDiffuseFiveTimes:
             return tube_projected_solid_angle_five_times(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
+        case kAreaDiffuseLightPosition:
+            return tube_projected_solid_angle_isotropic_line(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
         default: return tube_projected_solid_angle_frostbite(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
     }
+}
+
+// Karis's line shines alike in all directions: 1 cd across a diffuse cylinder is pi / 4 cd of it for the same lm.
+float line_lx(vec3 n, AreaLight a) {
+    if (kAreaDiffuse != kAreaDiffuseLightPosition) return line_illuminance(n, a.to_center_m, a.right, a.half_width_m);
+    vec3 half_m = a.right * a.half_width_m;
+    return 0.25 * PI * isotropic_line_attenuation(n, a.to_center_m - half_m, a.to_center_m + half_m,
+                                                  square(kPunctualMinDistance_m));
 }
 
 // Whether a group's kinds are all one, so that the others' code need not run.
@@ -201,7 +214,7 @@ bool only_kind(uint group, int which) {
 float area_illuminance(uint group, int kind, vec3 n, AreaLight a) {
     if (group == kPolygons) return polygon_illuminance(kind, n, a);
     if (group == kCapsules) {
-        float of_line = is_kind(kind, kLightLine) ? line_illuminance(n, a.to_center_m, a.right, a.half_width_m) : 0.0;
+        float of_line = is_kind(kind, kLightLine) ? line_lx(n, a) : 0.0;
         if (only_kind(group, kLightLine)) return of_line;
         return is_kind(kind, kLightLine) ? of_line : tube_illuminance(n, a);
     }
@@ -212,7 +225,7 @@ float area_illuminance(uint group, int kind, vec3 n, AreaLight a) {
 
 // The direction in which lobes are taken that are evaluated once for the whole light; n . l > 0. Frostbite 4.7.4.
 vec3 area_direction(uint group, int kind, vec3 n, AreaLight a) {
-    if (kAreaDiffuse == kAreaDiffuseLightPosition || is_kind(kind, kLightTriangle)) {
+    if (kAreaDirection == kAreaDirectionLightPosition || is_kind(kind, kLightTriangle)) {
         return direction_above_horizon(n, direction_of(a.to_center_m));
     }
     if (is_kind(kind, kLightDisk)) return disk_representative_direction(n, a.to_center_m, a.direction, a.radius_m);

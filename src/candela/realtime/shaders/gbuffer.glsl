@@ -21,6 +21,7 @@ struct GBuffer {
     Surface surface;
     vec3 coat_normal;
     vec3 tangent;
+    bool default_nonmetal;  // of a material with metallic and specular at their defaults
 };
 
 uint unorm(float x, uint bits) { return uint(clamp(x, 0.0, 1.0) * float((1u << bits) - 1u) + 0.5); }
@@ -45,7 +46,8 @@ uvec4 pack_gbuffer(GBuffer g) {
     uvec4 w;
     w.x = packSnorm2x16(octahedral_encode(g.normal));
     w.y = pack_color10(s.base_color);
-    w.z = unorm(s.perceptual_roughness, 12u) | unorm(s.metallic, 10u) << 12u | g.shading_class << 28u;
+    w.z = unorm(s.perceptual_roughness, 12u) | unorm(s.metallic, 10u) << 12u | (g.default_nonmetal ? 1u << 22u : 0u) |
+          g.shading_class << 28u;
     w.w = unorm(sqrt(s.dielectric_f0.x), 16u) | unorm(s.dielectric_f90.x, 8u) << 16u | unorm(g.occlusion, 8u) << 24u;
     return w;
 }
@@ -77,6 +79,7 @@ GBuffer unpack_gbuffer(uvec4 w) {
     g.surface.base_color = unpack_color10(w.y);
     g.surface.perceptual_roughness = from_unorm(bits(w.z, 0, 12), 12u);
     g.surface.metallic = from_unorm(bits(w.z, 12, 10), 10u);
+    g.default_nonmetal = (w.z & 1u << 22u) != 0u;
     float f0 = from_unorm(bits(w.w, 0, 16), 16u);
     g.surface.dielectric_f0 = vec3(f0 * f0);
     g.surface.dielectric_f90 = vec3(from_unorm(bits(w.w, 16, 8), 8u));

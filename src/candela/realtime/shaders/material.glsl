@@ -123,6 +123,7 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
             s.coat_perceptual_roughness = sqrt(alpha_filtered(alpha, dndx, dndy));
         }
     }
+    g.default_nonmetal = material.f0_rotation.w != 0.0;
     g.surface = s;
     return g;
 }

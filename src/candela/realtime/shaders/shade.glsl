@@ -8,6 +8,7 @@
 #include "dfg.glsl"
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
+#include "spherical_gaussian_lobe.glsl"
 #include "../../bake/shaders/environment_maps.glsl"
 
 // The rows of the profile (C++: Profile).
@@ -26,11 +27,16 @@ layout(constant_id = 16) const bool kCulledLights = false;
 layout(constant_id = 17) const int kAreaDiffuse = 0;
 layout(constant_id = 18) const int kAreaSpecular = 0;
 layout(constant_id = 21) const int kIrradiance = 0;
+layout(constant_id = 23) const int kSunSpecular = 0;
+layout(constant_id = 24) const int kAreaDirection = 0;
 const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgTable = 0;
 const int kDfgNonmetal = 2;
 const int kDfgFullyRough = 3;
+// C++: SunSpecularTechnique.
+const int kSunSpecularFull = 0;
+const int kSunSpecularPrinted = 2;
 
 layout(set = 0, binding = 1, std430) readonly buffer Lights { Light lights[]; };
 layout(set = 0, binding = 2) uniform sampler2D dfg_table;
@@ -120,6 +126,25 @@ void evaluate(SurfacePoint p, BsdfTechniques t, vec3 l, float NoL, out vec3 diff
     }
 }
 
+// What the base reflects of a lobe of luminance 1, without layers. EnvBRDFApprox is below 0 for a small f0 at roughness near 1.
+vec3 base_specular_weight(SurfacePoint p) {
+    if (kDfg == kDfgNonmetal && p.g.default_nonmetal && p.g.surface.metallic == 0.0) {
+        return vec3(max_component(p.g.surface.dielectric_f90) > 0.0
+                        ? env_brdf_approx_nonmetal(p.g.surface.perceptual_roughness, p.NoV)
+                        : 0.0);
+    }
+    return max(ibl_specular_weight(p.g.surface, techniques(), p.NoV, p.dfg), vec3(0.0));
+}
+
+// The sun of Karis 2014: luminance per lx on a plane that faces it, in place of the whole BRDF.
+vec3 sun_specular(SurfacePoint p, vec3 l) {
+    vec3 mirror = 2.0 * dot(p.g.normal, p.v) * p.g.normal - p.v;
+    float lobe = sun_lobe_gaussian(p.prepared.alpha, dot(mirror, l), dot(p.g.normal, l));
+    return base_specular_weight(p) * (kSunSpecular == kSunSpecularPrinted ? kSunLobePrintedFactor * lobe : lobe);
+}
+// Layers are none of his model: they are shaded in full.
+const bool kSunByLobe = kSunSpecular != kSunSpecularFull && !kShadeLayers;
+
 #include "light_loop.glsl"
 #include "local_light.glsl"
 
@@ -174,13 +199,8 @@ void add_environment(SurfacePoint p, inout Lit lit) {
         return;
     }
     if (!kShadeLayers) {
-        vec3 weight = ibl_specular_weight(g.surface, techniques(), NoV, dfg);
-        bool plain = all(lessThan(abs(g.surface.dielectric_f0 - 0.04), vec3(0.002)));  // Karis: what has the default specular
-        if (kDfg == kDfgNonmetal && g.surface.metallic == 0.0 && plain) {
-            weight = vec3(env_brdf_approx_nonmetal(g.surface.perceptual_roughness, NoV));
-        }
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
-        lit.indirect_specular = weight * radiance * specular_visible;
+        lit.indirect_specular = base_specular_weight(p) * radiance * specular_visible;
         return;
     }
     float coat_NoV = max(dot(g.coat_normal, v), 1.0e-4);
@@ -198,8 +218,11 @@ void add_environment(SurfacePoint p, inout Lit lit) {
         sheen = local_specular(p.position, g.normal, v, one, LobeRead(one.direction, 1.0, 0.0), sheen, sheen);
     }
     lit.indirect_diffuse = w.diffuse * irradiance_over_pi * g.occlusion;
-    lit.indirect_specular = (w.specular * radiance + w.coat * coat_radiance) * specular_visible +
-                            w.sheen * sheen * g.occlusion;
+    // Each lobe hides behind what its own normal and width see.
+    float coat_visible = specular_occlusion(coat_NoV, g.occlusion,
+                                            alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness));
+    lit.indirect_specular = max(w.specular, vec3(0.0)) * radiance * specular_visible +
+                            w.coat * coat_radiance * coat_visible + w.sheen * sheen * g.occlusion;
 }
 
 // first_light: of the list that holds for this point (light_loop.glsl). facet: as light_visibility() has it, on the
