@@ -31,7 +31,7 @@ inline scene::Light local_light(scene::LightType type, const glm::vec3& row, con
     light.direction = -towards;
     light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1.0f, 0.2f)));
     light.color = {1.0f, 0.8f, 0.6f};
-    light.range_m = 20.0f;
+    light.range_m = 6.0f;
     light.inner_cone_rad = 0.3f;
     light.outer_cone_rad = 0.9f;
     light.horizontal_angle_rad = 1.2f;
@@ -71,7 +71,7 @@ inline Places local_lights(float size = 1.0f) {
     Places out;
     out.scene.profiles.push_back(web());
     const auto each_row = [&](std::string name, auto&& add) {
-        const glm::vec3 middle(60.0f * static_cast<float>(out.names.size()), 0.0f, 0.0f);
+        const glm::vec3 middle(12.0f * (static_cast<float>(out.names.size()) - 5.0f), 0.0f, 0.0f);
         add_patches(out.scene, middle, kTowards_rad, 2457.0f / 4095.0f);
         for (std::uint32_t row = 0; row < kPatchesSide; ++row)
             add(middle + row_middle(row), towards_light(row));

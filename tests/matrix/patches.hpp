@@ -15,7 +15,8 @@ namespace candela::test {
 /// in depth, so that each may have a light of its own.
 inline constexpr std::array<float, 4> kPatchNoV{0.95f, 0.6f, 0.35f, 0.2f};
 inline constexpr std::array<const char*, 4> kPatchMaterials{"first metal", "metal", "dielectric", "layered"};
-inline constexpr float kRowDepth_m = 40.0f;
+inline constexpr float kRowDepth_m = 12.0f;
+inline constexpr float kPatch_m = 0.05f;
 inline constexpr std::uint32_t kPatchPixels = 8;
 inline constexpr std::uint32_t kPatchesSide = 4;
 inline constexpr std::uint32_t kPatchPicture = kPatchPixels * kPatchesSide;
@@ -46,16 +47,17 @@ inline glm::vec3 patch_normal(std::uint32_t row, float towards_rad) {
 
 /// From the middle of a place to that of one of its rows.
 inline glm::vec3 row_middle(std::uint32_t row) {
-    return {0.0f, 0.5f - (static_cast<float>(row) + 0.5f) / kPatchesSide,
+    return {0.0f, kPatch_m * (0.5f * kPatchesSide - 0.5f - static_cast<float>(row)),
             -kRowDepth_m * static_cast<float>(row)};
 }
 
 /// One patch: what projects to its cell of the picture, tilted towards azimuth `towards_rad`.
 inline scene::Primitive patch(std::uint32_t column, std::uint32_t row, float towards_rad) {
     const glm::vec3 n = patch_normal(row, towards_rad);
-    const float half = 0.5f / kPatchesSide;
+    const float half = 0.5f * kPatch_m;
     const glm::vec3 at =
-        row_middle(row) + glm::vec3(-0.5f + half * static_cast<float>(2 * column + 1), 0.0f, 0.0f);
+        row_middle(row) +
+        glm::vec3(kPatch_m * (static_cast<float>(column) + 0.5f - 0.5f * kPatchesSide), 0.0f, 0.0f);
     scene::Primitive p;
     for (const auto& [x, y] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {
         p.positions.push_back(at + glm::vec3(x, y, -(n.x * x + n.y * y) / n.z));
@@ -86,7 +88,7 @@ inline void add_patches(scene::Scene& s, const glm::vec3& middle, float towards_
 inline scene::Camera patch_camera(const glm::vec3& middle) {
     scene::Camera camera = scene::look_at(middle + glm::vec3(0, 0, 10), middle, 0.6f);
     camera.projection = scene::Projection::orthographic;
-    camera.xmag_m = camera.ymag_m = 0.5f;
+    camera.xmag_m = camera.ymag_m = 0.5f * kPatch_m * kPatchesSide;
     camera.znear_m = 1.0f;
     camera.zfar_m = 20.0f + kRowDepth_m * kPatchesSide;
     return camera;

@@ -58,6 +58,31 @@ struct AreaLobe {
     vec3 f90;
 };
 
+// Radius in m of the disc that spreads a lobe as much as the shape does: equal second moments. Own.
+float spreading_radius(uint group, int kind, AreaLight a) {
+    if (is_kind(kind, kLightTriangle)) {
+        vec3 p = a.outline[0] - a.to_center_m;
+        vec3 q = a.outline[1] - a.to_center_m;
+        vec3 r = a.outline[2] - a.to_center_m;
+        return sqrt((dot(p, p) + dot(q, q) + dot(r, r)) * (1.0 / 6.0));
+    }
+    if (group == kPolygons) return sqrt((square(a.half_width_m) + square(a.half_height_m)) * (2.0 / 3.0));
+    if (group == kCapsules) return sqrt(square(a.half_width_m) * (2.0 / 3.0) + square(a.radius_m));
+    return a.radius_m;
+}
+
+// Angular radius of a light over alpha up to which it is a point to the lobe, and from which on it is a shape.
+const float kPointToLobe = 0.1;
+const float kShapeToLobe = 0.4;
+
+// What of a highlight by LTC is that of a point: transformed cosines are a fit, off by up to a fifth at one direction, so that
+// light of small shapes would not tend to that of a point.
+float point_share(uint group, int kind, AreaLight a, float alpha) {
+    if (is_kind(kind, kLightSun)) return alpha < kSunImageAlpha ? 0.0 : 1.0;
+    float angle_rad = spreading_radius(group, kind, a) / length(a.to_center_m);
+    return 1.0 - smoothstep(kPointToLobe, kShapeToLobe, angle_rad / alpha);
+}
+
 // D V of the point, and its direction.
 float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3 v, out vec3 l) {
     float normalization = 1.0;
@@ -66,7 +91,7 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3
     vec3 point = a.to_center_m;
     float lobe_alpha = alpha;
     if (kAreaSpecular == kAreaSpecularLtc) {
-        lobe_alpha = alpha_widened_by_disc(alpha, a.radius_m);  // only the sun comes here
+        lobe_alpha = alpha_widened_by_disc(alpha, spreading_radius(group, kind, a) / length(point));
     } else if (kAreaSpecular == kAreaSpecularWidening) {
         bool wide = group == kCapsules || is_kind(kind, kLightRectangle);
         lobe_alpha = alpha_widened_by_sphere(alpha, wide ? max(a.half_width_m, a.half_height_m) : a.radius_m,
@@ -84,17 +109,20 @@ vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe 
     vec3 sum = vec3(0.0);
     // Of luminance 1 the disc gives pi sin^2 of its angular radius in lx on a plane that faces it.
     if (is_kind(kind, kLightSun) && kSunByLobe) return sun_specular(p, a.to_center_m) * (PI * square(a.radius_m));
+    float as_point = 1.0;
     if (kAreaSpecular == kAreaSpecularLtc) {
+        as_point = point_share(group, kind, a, lobe.alpha);
         // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
         // other words).
         sum = lobe.albedo * area_ltc(group, light, lobe.ltc, lobe.n, p.v, a);
-        if (!is_kind(kind, kLightSun) || lobe.alpha < kSunImageAlpha) return sum;
+        if (as_point <= 0.0) return sum;
     }
     vec3 l;
     float value = area_highlight_lobe(group, kind, a, lobe, p.v, l);
     float LoH = saturate(dot(l, normalize(p.v + l)));
     vec3 mean = kLightPictures && group == kPolygons ? read_picture(light, vec3(0.5, 0.5, 1.0)) : vec3(1.0);
-    return mean * specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
+    vec3 at_point = mean * specular_fresnel(techniques(), lobe.f0, lobe.f90, LoH) * (value * lx / highlight_nit(kind, a));
+    return as_point < 1.0 ? mix(sum, at_point, as_point) : at_point;
 }
 
 // The highlight, per unit of AreaLight::nit. Returns the lx per such unit on the base. An anisotropic base has its highlight

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "candela/realtime/profile.hpp"
+#include "patches.hpp"
+
+/// How far the frame may be from integrate: the mean over the angles of kPatchNoV, for each of
+/// kPatchMaterials. Each figure is what test_matrix prints for the technique, and a quarter more; a wrong
+/// model is off by several times that.
+namespace candela::test {
+
+using Bounds = std::array<double, kPatchesSide>;
+
+inline Bounds larger(const Bounds& a, const Bounds& b) {
+    Bounds out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::max(a[i], b[i]);
+    return out;
+}
+
+/// Under the same light from everywhere only the albedo counts.
+inline Bounds constant_environment_bounds(const realtime::Profile& p) {
+    using realtime::DfgTechnique;
+    switch (p.dfg) {
+        case DfgTechnique::table:
+            return {0.004, 0.004, 0.004, 0.005};
+        case DfgTechnique::env_brdf_approx:
+        case DfgTechnique::env_brdf_approx_nonmetal:
+            return {0.06, 0.12, 0.025, 0.055};
+        default:
+            return {2.0, 2.0, 2.0, 2.0};  // without a specular lobe by intent
+    }
+}
+
+/// Under bake::studio_environment().
+inline Bounds studio_bounds(const realtime::Profile& p) {
+    using realtime::ReflectionTechnique;
+    Bounds reads{};
+    switch (p.reflection) {
+        case ReflectionTechnique::mirror_direction:
+            reads = {0.013, 0.085, 0.055, 0.055};
+            break;
+        case ReflectionTechnique::stretched_2:
+        case ReflectionTechnique::stretched_3:
+            reads = {0.016, 0.07, 0.034, 0.025};
+            break;
+        default:
+            reads = {0.036, 0.095, 0.08, 0.076};
+    }
+    const Bounds albedo = constant_environment_bounds(p);
+    for (std::size_t i = 0; i < reads.size(); ++i) reads[i] += albedo[i];
+    return reads;
+}
+
+/// The sun's disc.
+inline Bounds sun_bounds(const realtime::Profile& p) {
+    (void)p;
+    return {9.0, 9.0, 9.0, 9.0};
+}
+
+/// By the names of local_lights().
+inline Bounds local_light_bounds(const realtime::Profile& p, const std::string& light) {
+    (void)p;
+    (void)light;
+    return {9.0, 9.0, 9.0, 9.0};
+}
+
+}  // namespace candela::test
