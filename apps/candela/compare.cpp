@@ -131,8 +131,12 @@ Lineup line_up(const CompareOptions& options) {
         const auto size = [](const measure::Picture& q) {
             return std::to_string(q.width) + "x" + std::to_string(q.height);
         };
-        throw input_error("is " + size(p.picture) + " pixels, the reference " + size(reference), p.name,
-                          "pictures of one size are needed");
+        const bool files = !is_scene(options.inputs[0]);
+        const auto index = static_cast<std::size_t>(&p - out.pictures.data());
+        throw input_error("is " + size(p.picture) + " pixels, the reference " +
+                              (files ? options.inputs[out.reference] : out.pictures[out.reference].name) +
+                              " " + size(reference),
+                          files ? options.inputs[index] : p.name, "pictures of one size are needed");
     }
     return out;
 }
@@ -375,10 +379,12 @@ void add_compare(CLI::App& app, Action& action) {
     command
         ->add_option("-o,--output", options->outputs,
                      "report.html, diff.exr or diff.png; may be given several times")
+        ->allow_extra_args(false)
         ->take_all();
     command
         ->add_option("--threshold", options->thresholds,
                      "METRIC=VALUE: exit code 1 when worse; may be given several times")
+        ->allow_extra_args(false)
         ->take_all();
     command->add_option("--names", options->names, "Names of the pictures, separated by commas")
         ->delimiter(',');

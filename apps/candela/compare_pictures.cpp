@@ -187,6 +187,7 @@ void add_compared_scene_options(CLI::App& command, SceneOptions& o) {
         .add_option(
             "--profile", o.profiles,
             "Of a scene (best); may be given several times; truth has the material model of the first")
+        ->allow_extra_args(false)
         ->take_all();
     command.add_option("--samples,--spp", o.samples, "Samples a pixel of a scene's real-time frame")
         ->check(CLI::Range(1u, 4096u))

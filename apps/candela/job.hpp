@@ -27,6 +27,8 @@ struct JobOptions : SceneFileOptions {
     EnvironmentFileOptions env_file;
     bool env_keep_sun = false;
     std::string size = "1280x720";
+    std::optional<std::uint32_t> width;
+    std::optional<std::uint32_t> height;
     std::string camera;
     std::vector<float> look_from;
     std::vector<float> look_at;

@@ -85,9 +85,11 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
         set_sky(*sky, job, sun);
     else if (options.environment == "studio")
         job.scene.environment = bake::studio_environment();
-    else if (!options.environment.empty())
+    else if (!options.environment.empty()) {
+        check_environment_name(options.environment);
         job.scene.environment =
             io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file));
+    }
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
         job.diagnostics.warn(

@@ -56,7 +56,9 @@ TEST(Stage, BadDocumentsNameTheirPointer) {
     for (const json& entry : kDocuments["bad"]) {
         const std::string pointer = entry[0];
         const std::string line = error_of(entry[1].dump());
-        EXPECT_NE(line.find("a.stage.json: " + pointer + ": "), std::string::npos)
+        EXPECT_NE(std::regex_replace(line, std::regex("(a\\.stage\\.json):\\d+:\\d+"), "$1")
+                      .find("a.stage.json: " + pointer + ": "),
+                  std::string::npos)
             << entry << " gave: " << line;
     }
 }

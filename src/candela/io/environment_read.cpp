@@ -9,6 +9,7 @@
 
 #include "candela/io/environment_faces.hpp"
 #include "candela/io/exr_read.hpp"
+#include "candela/io/file_kind.hpp"
 #include "candela/io/hdr_read.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_read_limits.hpp"
@@ -173,7 +174,7 @@ Read read_file_of(const fs::path& file, Diagnostics& diagnostics) {
         return {detail::decode_hdr(bytes(), where, diagnostics), false, {}};
     if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where));
     if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where));
-    throw input_error("not a Radiance .hdr, OpenEXR, KTX 2 or DDS picture", where,
+    throw input_error(not_a("a Radiance .hdr, OpenEXR, KTX 2 or DDS picture", kind_of_file(file)), where,
                       "an environment holds luminance in cd/m^2");
 }
 

@@ -222,6 +222,8 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
     for (std::uint32_t i = 0; i < document.count("materials"); ++i) {
         scene.materials.push_back(read_material(document, i, diagnostics));
     }
+    if (options.time_s != 0.0f && document.count("animations") == 0)
+        diagnostics.warn("the time has no effect: the scene has no animation");
     const std::vector<Node> nodes = read_posed_nodes(document, options.time_s, diagnostics);
     GltfLights lights(document, options, diagnostics);
     Poser poser{document, nodes, scene, diagnostics, {}, {}, 0, {}};

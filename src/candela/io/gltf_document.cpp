@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 
+#include "candela/io/file_kind.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/inside_folder.hpp"
 #include "candela/io/json_reader.hpp"
@@ -91,6 +92,13 @@ std::vector<std::byte> decode_base64(std::string_view text, const std::string& w
     return out;
 }
 
+/// What is no glTF at all is said as what it is, and not as JSON with a mistake.
+void check_is_text(std::span<const std::byte> bytes, const std::string& name) {
+    const FileKind kind = kind_of_file(bytes, name);
+    const bool known = !kind.name.empty() && kind.name != "a glTF scene" && kind.name != "a JSON file";
+    if (known || is_binary(bytes)) throw input_error(not_a("glTF", kind), name, kind.hint);
+}
+
 }  // namespace
 
 GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
@@ -100,8 +108,8 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
     if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
     if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic)
         chunks = split_glb(bytes, name_);
-    else if (is_binary(bytes))
-        throw input_error("neither a .glb nor a .gltf file", name_);
+    else
+        check_is_text(bytes, name_);
     json_ = parse_json(chunks.json, name_, false);
     if (!json_.is_object()) throw input_error("not a glTF file: the JSON is not an object", name_);
     const std::string version = root()["asset"]["version"].string_or("");
