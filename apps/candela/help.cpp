@@ -57,7 +57,14 @@ class Formatter final : public CLI::Formatter {
   public:
     Formatter() { column_width(34); }
 
-    std::string make_groups(const CLI::App* app, CLI::AppFormatMode) const override {
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        if (mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, std::move(name), mode);
+        return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+               ordered_groups(app) + make_subcommands(app, mode) + "\n" + make_footer(app);
+    }
+
+  private:
+    std::string ordered_groups(const CLI::App* app) const {
         std::vector<std::string> groups{kWhat, kLight, kCamera, kQuality, kOutput};
         for (const std::string& group : app->get_groups()) {
             if (!group.empty() && group != "Options" &&

@@ -88,7 +88,7 @@ TEST(Stage, MisspeltKeysGetAHint) {
 
 TEST(Stage, CommentsAreAllowedAndBrokenJsonNamesItsLine) {
     EXPECT_EQ(error_of("{ // light\n \"environment\": {\"studio\": true} /* soft boxes */ }"), "");
-    EXPECT_NE(error_of("{\n\"camera\": {,}\n}").find("a.stage.json:2: not valid JSON"), std::string::npos);
+    EXPECT_NE(error_of("{\n\"camera\": {,}\n}").find("a.stage.json:2:12: not valid JSON"), std::string::npos);
 }
 
 TEST(Stage, FilesOutsideOfTheFolderAreRefused) {
