@@ -395,11 +395,13 @@ void add_compare(CLI::App& app, Action& action) {
     command
         ->add_option("-o,--output", options->outputs,
                      "report.html, diff.exr or diff.png; may be given several times")
+        ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
     command
         ->add_option("--threshold", options->thresholds,
                      "METRIC=VALUE: exit code 1 when worse; may be given several times")
+        ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
     command->add_option("--names", options->names, "Names of the pictures, separated by commas")

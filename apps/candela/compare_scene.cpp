@@ -259,6 +259,7 @@ void add_compared_scene_options(CLI::App& command, SceneOptions& o) {
         .add_option(
             "--profile", o.profiles,
             "Of a scene (best); may be given several times; truth has the material model of the first")
+        ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
     command
@@ -266,7 +267,9 @@ void add_compared_scene_options(CLI::App& command, SceneOptions& o) {
             "--modes", o.modes,
             "Which pictures of a scene (realtime,path,integrate); the reference is path, else integrate")
         ->delimiter(',')
+        ->expected(1)
         ->allow_extra_args(false)
+        ->take_all()
         ->check(CLI::IsMember({"realtime", "path", "integrate"}));
     command.add_option("--samples,--spp", o.samples, "Samples a pixel of a scene's real-time frame")
         ->check(CLI::Range(1u, 4096u))

@@ -117,7 +117,7 @@ const std::map<std::string, std::vector<Example>>& examples() {
           {"sky.exr --preset filament -o baked", "for others: filament, threejs, gltf"},
           {"probes room.glb --stage room.stage.json", "fills its probes ahead of time"},
           {"dfg -o dfg_table.exr", "a table of directional albedos"}}},
-        {"probes",
+        {"bake probes",
          {{"room.glb --stage room.stage.json", "into the cache that pictures look into"},
           {"room.glb --stage room.stage.json -o seen", "and pictures of what the probes see"}}},
         {"convert", {{"scene.glb --stage evening.stage.json -o lit.glb", "with the stage's lights"}}},
@@ -148,7 +148,7 @@ void arrange(CLI::App& command, const std::string& name) {
         if (option->get_positional() || option->get_group() != "Options") continue;
         if (const std::string group = group_of(option->get_name()); !group.empty()) option->group(group);
     }
-    const auto found = examples().find(command.get_name());
+    const auto found = examples().find(name);
     if (found != examples().end()) command.footer(footer(name, found->second));
     for (CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; }))
         arrange(*sub, name.empty() ? sub->get_name() : name + " " + sub->get_name());
@@ -236,9 +236,16 @@ void arrange_help(CLI::App& app) {
     app.footer("candela help COMMAND: its options and examples, as candela COMMAND --help");
 }
 
-std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
+std::vector<std::string> without_help_command(const CLI::App& app, std::vector<std::string> arguments) {
     if (arguments.empty() || arguments.front() != "help") return arguments;
     arguments.erase(arguments.begin());
+    const CLI::App* at = &app;
+    for (const std::string& word : arguments) {
+        // Of a command that there is not, the parser says so.
+        const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
+        if (named.empty()) return arguments;
+        at = named.front();
+    }
     arguments.emplace_back("--help");
     return arguments;
 }

@@ -36,7 +36,8 @@ int run(int argc, char** argv) {
     app.add_subcommand("help", "Help on a command: candela help COMMAND");
     // Before any command looks at its options.
     app.parse_complete_callback([&app] { candela::app::refuse_empty_values(app); });
-    const std::vector<std::string> arguments = candela::app::without_help_command({argv + 1, argv + argc});
+    const std::vector<std::string> arguments =
+        candela::app::without_help_command(app, {argv + 1, argv + argc});
     try {
         // CLI11 takes them from the back.
         app.name("candela");

@@ -165,6 +165,7 @@ void add_render(CLI::App& app, Action& action) {
     command
         ->add_option("-o,--output", options->files.outputs,
                      "FILE.png or FILE.exr; may be given several times (out.png)")
+        ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
     add_scene_options(*command, options->job);

@@ -31,6 +31,7 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
     command
         .add_option("--search", o.search_folders,
                     "A folder in which the stage's files may lie, beside its own; may be given several times")
+        ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
     command.add_option("--light-scale", o.light_scale, "Multiplies every light of the scene file");
