@@ -11,6 +11,7 @@
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "compare_analysis.hpp"
 #include "compare_maps.hpp"
 #include "compare_pictures.hpp"
 #include "compare_table.hpp"
@@ -28,6 +29,8 @@ struct CompareOptions {
     SceneOptions scene;
     std::vector<std::string> inputs;
     std::vector<std::string> outputs;
+    std::string command_line;  ///< for the report
+    bool no_truth = false;
     std::vector<std::string> thresholds;
     std::vector<std::string> names;
     std::optional<float> exposure_ev100;
@@ -78,8 +81,7 @@ void check_request(const CompareOptions& options) {
         io::check_output_file(file);
     }
     const SceneOptions& scene = options.scene;
-    const std::size_t rendered = std::max<std::size_t>(1, scene.profiles.size()) + (scene.truth ? 2 : 0);
-    const std::size_t pictures = is_scene(options.inputs[0]) ? rendered : options.inputs.size();
+    const std::size_t pictures = is_scene(options.inputs[0]) ? scene.picture_count() : options.inputs.size();
     if (!options.names.empty() && options.names.size() != pictures)
         throw Error(Fault::usage, "as many names as pictures are needed", "--names",
                     std::to_string(pictures) + " pictures here");
@@ -105,9 +107,10 @@ Lineup line_up(const CompareOptions& options) {
         SceneOptions scene = options.scene;
         scene.job.scene_file = options.inputs[0];
         if (scene.profiles.empty()) scene.profiles = {"best"};
-        if (scene.profiles.size() < 2 && !scene.truth)
-            throw Error(Fault::usage, "one profile has nothing to be compared with", "--no-truth",
-                        "give a second --profile; the first is the reference");
+        if (scene.picture_count() < 2)
+            throw Error(Fault::usage, "one picture has nothing to be compared with",
+                        options.no_truth ? "--no-truth" : "--modes",
+                        "another mode, or a second --profile: the first is the reference then");
         out.pictures = render_pictures(scene, out.diagnostics);
     } else {
         for (const std::string& file : options.inputs)
@@ -131,8 +134,12 @@ Lineup line_up(const CompareOptions& options) {
         const auto size = [](const measure::Picture& q) {
             return std::to_string(q.width) + "x" + std::to_string(q.height);
         };
-        throw input_error("is " + size(p.picture) + " pixels, the reference " + size(reference), p.name,
-                          "pictures of one size are needed");
+        const bool files = !is_scene(options.inputs[0]);
+        const auto index = static_cast<std::size_t>(&p - out.pictures.data());
+        throw input_error("is " + size(p.picture) + " pixels, the reference " +
+                              (files ? options.inputs[out.reference] : out.pictures[out.reference].name) +
+                              " " + size(reference),
+                          files ? options.inputs[index] : p.name, "pictures of one size are needed");
     }
     return out;
 }
@@ -197,11 +204,13 @@ std::string output_name(const std::string& file, const std::string& name, bool s
     const std::filesystem::path path(file);
     std::string safe = name;
     std::replace(safe.begin(), safe.end(), '/', '_');
+    std::replace(safe.begin(), safe.end(), ' ', '-');
     return (path.parent_path() / (path.stem().string() + "-" + safe + path.extension().string())).string();
 }
 
 /// Writes every output and returns the files.
 std::vector<std::string> write_outputs(const CompareOptions& options, Lineup& lineup, const Exposed& exposed,
+                                       const Analysis& analysis,
                                        std::vector<measure::Comparison>& comparisons) {
     std::vector<std::string> written;
     const measure::Picture& reference = lineup.pictures[lineup.reference].picture;
@@ -225,9 +234,12 @@ std::vector<std::string> write_outputs(const CompareOptions& options, Lineup& li
         if (lower_extension(file) != ".html") continue;
         if (page.empty()) {
             measure::Report report{title, {}, lineup.reference, exposed.options, exposed.ev100, version()};
+            report.command = options.command_line;
+            report.noise = analysis.noise;
             for (std::size_t i = 0; i < lineup.pictures.size(); ++i) {
                 NamedPicture& p = lineup.pictures[i];
-                report.pictures.push_back({p.name, p.picture, p.settings, comparisons[i]});
+                report.pictures.push_back(
+                    {p.name, p.picture, p.settings, comparisons[i], analysis.verdicts[i], analysis.paths[i]});
             }
             page = measure::report_html(report);
         }
@@ -253,9 +265,9 @@ json metrics_json(const measure::Metrics& m) {
     return out;
 }
 
-/// Metrics down, pictures across.
+/// Metrics down, pictures across, the reference's own noise last.
 void print_table(const Lineup& lineup, const std::vector<measure::Comparison>& comparisons,
-                 const Exposed& exposed) {
+                 const Analysis& analysis, const Exposed& exposed) {
     const bool luminance = exposed.options.meaning == measure::PixelMeaning::luminance;
     const measure::Picture& reference = lineup.pictures[lineup.reference].picture;
     std::printf("reference %s, %ux%u, ", lineup.pictures[lineup.reference].name.c_str(), reference.width,
@@ -267,15 +279,19 @@ void print_table(const Lineup& lineup, const std::vector<measure::Comparison>& c
     MetricTable table;
     for (std::size_t i = 0; i < lineup.pictures.size(); ++i)
         if (i != lineup.reference) table.pictures.push_back(lineup.pictures[i].name);
+    if (analysis.noise) table.pictures.push_back("noise of " + lineup.pictures[lineup.reference].name);
     for (const std::string& name : measure::metric_names()) {
         if (name == "hdr-flip" && !luminance) continue;
         MetricTable::Row row{name, {}};
         for (std::size_t i = 0; i < lineup.pictures.size(); ++i)
             if (i != lineup.reference)
                 row.values.push_back(measure::metric_value(comparisons[i].metrics, name).value_or(0.0));
+        if (analysis.noise) row.values.push_back(measure::metric_value(*analysis.noise, name).value_or(0.0));
         table.rows.push_back(std::move(row));
     }
     print(table);
+    for (const std::string& line : analysis.verdicts)
+        if (!line.empty()) std::printf("%s\n", line.c_str());
 }
 
 /// One line for each threshold that is missed; JSON of all.
@@ -329,13 +345,14 @@ int compare(const CompareOptions& options) {
     }
     bool passed = true;
     const json checks = check_thresholds(thresholds, lineup, comparisons, passed);
+    const Analysis analysis = analyse(lineup.pictures, lineup.reference, exposed.options, comparisons);
     const std::vector<std::string> written = [&] {
         const ProgressLine line("writing");
-        return write_outputs(options, lineup, exposed, comparisons);
+        return write_outputs(options, lineup, exposed, analysis, comparisons);
     }();
     print_warnings(lineup.diagnostics);
     if (!options.scene.job.json) {
-        print_table(lineup, comparisons, exposed);
+        print_table(lineup, comparisons, analysis, exposed);
         for (const std::string& file : written) std::fprintf(stderr, "candela: wrote %s\n", file.c_str());
         return passed ? 0 : 1;
     }
@@ -351,6 +368,7 @@ int compare(const CompareOptions& options) {
              {"passed", passed},
              {"outputs", written},
              {"warnings", warnings_json(lineup.diagnostics)}};
+    if (analysis.noise) out["reference_noise"] = metrics_json(*analysis.noise);
     if (luminance) {
         out["ev100"] = exposed.ev100;
         out["exposure"] = exposed.options.exposure;
@@ -358,8 +376,10 @@ int compare(const CompareOptions& options) {
     }
     for (std::size_t i = 0; i < lineup.pictures.size(); ++i) {
         if (i == lineup.reference) continue;
-        out["pictures"].push_back(
-            {{"name", lineup.pictures[i].name}, {"metrics", metrics_json(comparisons[i].metrics)}});
+        out["pictures"].push_back({{"name", lineup.pictures[i].name},
+                                   {"verdict", analysis.verdicts[i]},
+                                   {"metrics", metrics_json(comparisons[i].metrics)}});
+        if (!analysis.paths[i].empty()) out["pictures"].back()["light_paths"] = paths_json(analysis.paths[i]);
     }
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return passed ? 0 : 1;
@@ -377,10 +397,14 @@ void add_compare(CLI::App& app, Action& action) {
     command
         ->add_option("-o,--output", options->outputs,
                      "report.html, diff.exr or diff.png; may be given several times")
+        ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
     command
         ->add_option("--threshold", options->thresholds,
                      "METRIC=VALUE: exit code 1 when worse; may be given several times")
+        ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
     command->add_option("--names", options->names, "Names of the pictures, separated by commas")
         ->delimiter(',');
@@ -391,6 +415,8 @@ void add_compare(CLI::App& app, Action& action) {
         ->capture_default_str();
     add_compared_scene_options(*command, options->scene);
     command->callback([options, command, &action] {
+        options->command_line = command_line();
+        options->no_truth = given(*command, "--no-truth");
         check_compare_options(*command, options->scene,
                               std::any_of(options->inputs.begin(), options->inputs.end(), is_scene));
         action = [options] { return compare(*options); };

@@ -1,11 +1,14 @@
 #include "environment_option.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "candela/bake/environment.hpp"
 #include "candela/bake/sky.hpp"
+#include "candela/io/json_reader.hpp"
 #include "candela/measure/numerics.hpp"
 #include "candela/scene/environment_sources.hpp"
+#include "candela/scene/error.hpp"
 #include "progress_line.hpp"
 #include "shading/environment.glsl"
 #include "sky_option.hpp"
@@ -54,11 +57,22 @@ io::EnvironmentOptions environment_options(const EnvironmentFileOptions& o) {
     return out;
 }
 
+void check_environment_name(const std::string& name) {
+    std::error_code none;
+    if (std::filesystem::exists(name, none) || name.find("{face}") != std::string::npos) return;
+    static const std::vector<std::string> built_in{"studio", "sky", "none"};
+    const std::string near = io::nearest_name(name, built_in);
+    throw input_error("no such file", name,
+                      (near.empty() ? "" : "did you mean " + near + "? ") +
+                          "built in are studio, sky, sky:KEY=VALUE,... and none");
+}
+
 io::ReadEnvironment environment_picture(const std::string& name, const EnvironmentFileOptions& options,
                                         Diagnostics& diagnostics) {
     const ProgressLine line("reading the environment");
     if (name == "studio") return {bake::studio_environment(), true};
     const std::optional<scene::SkySettings> settings = sky_of_option(name);
+    if (!settings) check_environment_name(name);
     if (!settings) return io::read_environment(name, diagnostics, environment_options(options));
     bake::Sky sky = bake::sky_of(*settings);
     if (sky.sun) put_into(sky.environment, *sky.sun);

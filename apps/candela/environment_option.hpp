@@ -19,6 +19,9 @@ void add_environment_file_options(CLI::App& command, EnvironmentFileOptions& opt
 
 [[nodiscard]] io::EnvironmentOptions environment_options(const EnvironmentFileOptions& options);
 
+/// Throws Error (Fault::input) for what is neither built in nor there, with what is built in.
+void check_environment_name(const std::string& name);
+
 /// What an environment's name on a command line stands for, as one picture: a file, "studio", or "sky" with
 /// its settings, whose sun is then a texel of the picture.
 [[nodiscard]] io::ReadEnvironment environment_picture(const std::string& name,

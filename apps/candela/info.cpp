@@ -4,6 +4,7 @@
 
 #include "candela/bake/environment.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/printable.hpp"
 #include "candela/scene/strokes.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
@@ -107,13 +108,17 @@ void print_scene(const json& s) {
         std::printf("  strokes  %zu points, %zu line segments\n", s["points"].get<std::size_t>(),
                     s["line_segments"].get<std::size_t>());
     if (s.contains("bounds_m")) std::printf("  bounds   %s m\n", s["bounds_m"].dump().c_str());
-    for (const json& camera : s["cameras"]) std::printf("  camera   %s\n", camera.get<std::string>().c_str());
+    for (const json& camera : s["cameras"])
+        std::printf("  camera   %s\n", printable(camera.get<std::string>()).c_str());
     for (const json& light : s["lights"]) {
-        for (const std::string& line : light_lines(light)) std::printf("%s\n", line.c_str());
+        for (const std::string& line : light_lines(light)) std::printf("%s\n", printable(line).c_str());
     }
-    for (const json& surface : s["emissive_surfaces"]) std::printf("%s\n", emissive_line(surface).c_str());
-    for (const json& probe : s["reflection_probes"]) std::printf("%s\n", probe_line(probe).c_str());
-    for (const json& volume : s["irradiance_volumes"]) std::printf("%s\n", volume_line(volume).c_str());
+    for (const json& surface : s["emissive_surfaces"])
+        std::printf("%s\n", printable(emissive_line(surface)).c_str());
+    for (const json& probe : s["reflection_probes"])
+        std::printf("%s\n", printable(probe_line(probe)).c_str());
+    for (const json& volume : s["irradiance_volumes"])
+        std::printf("%s\n", printable(volume_line(volume)).c_str());
     if (s.contains("environment")) {
         const json& e = s["environment"];
         std::printf("  environment %s, %ux%u, %.6g lx on an up-facing plane\n",
@@ -121,7 +126,7 @@ void print_scene(const json& s) {
                     e["height"].get<unsigned>(), e["upward_illuminance_lx"].get<double>());
     }
     for (const json& w : s["warnings"]) {
-        std::printf("  warning  %s (%zu)\n", w["text"].get<std::string>().c_str(),
+        std::printf("  warning  %s (%zu)\n", printable(w["text"].get<std::string>()).c_str(),
                     w["count"].get<std::size_t>());
     }
 }

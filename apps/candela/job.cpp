@@ -57,6 +57,30 @@ void parse_size(const std::string& text, Job& job) {
     }
 }
 
+/// --width and --height; one alone keeps the shape of the picture that is made without a size.
+void set_sides(const JobOptions& o, Job& job) {
+    constexpr double default_aspect = 16.0 / 9.0;
+    const auto side = [](double texels) {
+        return static_cast<std::uint32_t>(std::max(std::round(texels), 1.0));
+    };
+    if (o.width) job.width = *o.width;
+    if (o.height) job.height = *o.height;
+    if (o.width && !o.height) job.height = side(*o.width / default_aspect);
+    if (o.height && !o.width) job.width = side(*o.height * default_aspect);
+}
+
+/// "f/8", "F8" and "8" are the same aperture.
+CLI::Validator f_number() {
+    return {[](std::string& value) -> std::string {
+                std::string_view text = value;
+                if (text.starts_with('f') || text.starts_with('F')) text.remove_prefix(1);
+                if (text.size() < value.size() && text.starts_with('/')) text.remove_prefix(1);
+                value = std::string(text);
+                return {};
+            },
+            ""};
+}
+
 /// Seconds from "0.008" or "1/125".
 float parse_shutter(const std::string& text) {
     const auto number = [&](std::string_view part) {
@@ -195,12 +219,18 @@ void add_scene_options(CLI::App& command, JobOptions& o) {
 
 void add_picture_options(CLI::App& command, JobOptions& o) {
     command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command.add_option("--width", o.width, "Pixels; alone, the height follows at 16:9")
+        ->check(CLI::Range(1u, 16384u));
+    command.add_option("--height", o.height, "Pixels; alone, the width follows at 16:9")
+        ->check(CLI::Range(1u, 16384u));
     command.add_option("--camera", o.camera, "A camera of the scene, by name");
     command.add_option("--look-from", o.look_from, "x,y,z of the camera in m")->delimiter(',')->expected(3);
     command.add_option("--look-at", o.look_at, "x,y,z that it looks at")->delimiter(',')->expected(3);
     command.add_option("--focal-mm", o.focal_mm, "Focal length on a 36x24 mm sensor")
         ->check(number_in(1.0, 5000.0));
-    command.add_option("--aperture", o.aperture_f, "N of f/N")->check(number_in(0.1, 1000.0));
+    command.add_option("--aperture", o.aperture_f, "f/N or N")
+        ->transform(f_number())
+        ->check(number_in(0.1, 1000.0));
     command.add_option("--shutter", o.shutter_s, "Exposure time in s, such as 1/125");
     command.add_option("--iso", o.iso, "Sensitivity")->check(number_in(1.0, 1e7));
     command.add_option("--ev100", o.ev100, "Exposure value at ISO 100")->check(number_in(-30.0, 40.0));
@@ -232,6 +262,7 @@ Job prepare(const JobOptions& options) {
     Job job;
     check_numbers(options);
     parse_size(options.size, job);
+    set_sides(options, job);
     job.profile = load_profile(options.profile);
     job.tone_curve = parse_tone_curve(options.tonemap);
     StagedScene staged = load_staged_scene(options, job.diagnostics);

@@ -30,6 +30,8 @@ struct JobOptions : SceneFileOptions {
     float emissive_scale = 1.0f;
     std::string size = "1280x720";
     float line_width_px = 1.0f;
+    std::optional<std::uint32_t> width;
+    std::optional<std::uint32_t> height;
     std::string camera;
     std::vector<double> look_from;
     std::vector<double> look_at;

@@ -100,10 +100,12 @@ void choose_environment(const JobOptions& options, const io::Stage& stage, Job& 
         set_sky(*sky, job, sun);
     else if (options.environment == "studio")
         job.scene.environment = bake::studio_environment();
-    else if (!options.environment.empty())
+    else if (!options.environment.empty()) {
+        check_environment_name(options.environment);
         absolute = set_file(
             io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file)),
             job);
+    }
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
     }

@@ -44,6 +44,8 @@ void refuse_options_of_no_environment(const JobOptions& o, const std::string& wh
 }
 
 void check_picture_options(const CLI::App& command) {
+    refuse_together(command, {"--size", "--width"});
+    refuse_together(command, {"--size", "--height"});
     refuse_together(command, {"--camera", "--look-from"});
     refuse_together(command, {"--camera", "--look-at"});
     refuse_together(command, {"--ev100", "--auto-exposure"});

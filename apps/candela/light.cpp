@@ -11,6 +11,7 @@
 #include "candela/measure/numerics.hpp"
 #include "candela/measure/polar_plot.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/printable.hpp"
 #include "command.hpp"
 #include "job.hpp"
 #include "option_rules.hpp"
@@ -147,7 +148,7 @@ std::string size_text(const glm::dvec3& size_m, bool round) {
 }
 
 void print_line(const char* label, const std::string& text) {
-    std::printf("  %-12s %s\n", label, text.c_str());
+    std::printf("  %-12s %s\n", label, printable(text).c_str());
 }
 
 std::string lamps_text(const scene::PhotometricLamps& lamps) {
@@ -162,7 +163,7 @@ std::string lamps_text(const scene::PhotometricLamps& lamps) {
 void print_profile(const std::string& file, const PhotometricProfile& p) {
     const scene::PhotometricPeak peak = scene::peak(p);
     const std::optional<double> stated = scene::stated_lm(p);
-    std::printf("%s: %s\n", file.c_str(), p.name.c_str());
+    std::printf("%s: %s\n", printable(file).c_str(), printable(p.name).c_str());
     print_line("format", p.standard + ", type " + type_name(p.type) +
                              (p.absolute ? ", absolute photometry" : ", relative photometry"));
     print_line("lumens", measure::readable(scene::integrated_lm(p)) + " lm integrated, " +

@@ -1,10 +1,13 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
+#include "help.hpp"
 #include "option_rules.hpp"
 
 namespace {
@@ -29,14 +32,20 @@ int run(int argc, char** argv) {
     candela::app::add_validate(app, action);
     candela::app::add_light(app, action);
     candela::app::add_env(app, action);
+    candela::app::arrange_help(app);
+    app.add_subcommand("help", "Help on a command: candela help COMMAND");
     // Before any command looks at its options.
     app.parse_complete_callback([&app] { candela::app::refuse_empty_values(app); });
+    const std::vector<std::string> arguments =
+        candela::app::without_help_command(app, {argv + 1, argv + argc});
     try {
-        app.parse(argc, argv);
+        // CLI11 takes them from the back.
+        app.name("candela");
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         if (asked) return app.exit(error);
-        const std::string line = candela::app::parse_error_line(app, error, {argv + 1, argv + argc});
+        const std::string line = candela::app::parse_error_line(app, error, arguments);
         return fail(candela::Error(candela::Fault::usage, line).line(), candela::Fault::usage);
     }
     return action();

@@ -90,8 +90,9 @@ void check_options(const CLI::App& command, const MeterOptions& options) {
     check_picture_options(command);
     check_shadow_options(command, options.job.shadows, options.mode);
     if (options.pixel.empty())
-        refuse_without_effect(command, {"--size", "--camera", "--look-from", "--look-at", "--focal-mm"},
-                              "without a picture whose pixel is read", "--pixel x,y");
+        refuse_without_effect(
+            command, {"--size", "--width", "--height", "--camera", "--look-from", "--look-at", "--focal-mm"},
+            "without a picture whose pixel is read", "--pixel x,y");
     if (options.from.empty())
         refuse_without_effect(command, {"--field-deg"}, "but on a spot meter",
                               "--from x,y,z --towards x,y,z");

@@ -6,6 +6,7 @@
 
 #include "candela/io/json_reader.hpp"
 #include "candela/scene/error.hpp"
+#include "help.hpp"
 
 namespace candela::app {
 namespace {
@@ -40,9 +41,14 @@ std::vector<std::string> options_of(const CLI::App& command) {
     return names;
 }
 
-std::string refused(const std::string& what, const std::string& name, const std::string& near,
+/// `suggestion`: what to do instead; empty: look into the help.
+std::string refused(const std::string& what, const std::string& name, const std::string& suggestion,
                     const std::string& help) {
-    return name + ": " + what + " (" + (near.empty() ? help : "did you mean " + near + "?") + ")";
+    return name + ": " + what + " (" + (suggestion.empty() ? help : suggestion) + ")";
+}
+
+std::string did_you_mean(const std::string& near) {
+    return near.empty() ? "" : "did you mean " + near + "?";
 }
 
 /// Of a command line without a command.
@@ -52,8 +58,12 @@ std::string missing_command(const Reached& at, const std::vector<std::string>& a
     const auto depth = std::count(at.name.begin(), at.name.end(), ' ');
     const auto word = std::find_if(arguments.begin() + depth, arguments.end(),
                                    [](const std::string& a) { return a.empty() || a.front() != '-'; });
-    if (word != arguments.end())
-        return refused("no such command", *word, io::nearest_name(*word, known), help);
+    if (word != arguments.end()) {
+        const std::string command = depth == 0 ? command_for_file(*word) : "";
+        if (!command.empty())
+            return refused("no command, but a file", *word, "did you mean " + command + "?", help);
+        return refused("no such command", *word, did_you_mean(io::nearest_name(*word, known)), help);
+    }
     std::string list;
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
     return at.name + ": needs a command: " + list + " (" + help + ")";
@@ -67,11 +77,11 @@ std::string unexpected(const Reached& at, const std::vector<std::string>& left) 
         const std::string name = option->substr(0, option->find('='));
         if (at.command->get_option_no_throw(name) != nullptr)
             return refused("stands before the command", name, "", at.name + " ... " + name);
-        return refused("no such option of " + at.name, name, io::nearest_name(name, options_of(*at.command)),
+        return refused("no such option of " + at.name, name, option_suggestion(name, options_of(*at.command)),
                        help);
     }
-    return refused("not expected", left.front(), io::nearest_name(left.front(), subcommands_of(*at.command)),
-                   help);
+    return refused("not expected", left.front(),
+                   did_you_mean(io::nearest_name(left.front(), subcommands_of(*at.command))), help);
 }
 
 /// CLI11's words where they are a parser's and not a user's.

@@ -293,7 +293,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.target_error = path.target_error;
     o.seed = options.seed;
     o.lens = lens_of(job, path);
-    o.aovs = !files.aovs.empty();
+    o.aovs = path.light_paths || !files.aovs.empty();
     o.checkpoint = path.checkpoint;
     if (path.checkpoint.empty() && !files.outputs.empty()) o.checkpoint = files.outputs.front() + ".part";
     o.checkpoint_every_s = path.checkpoint_every_s;

@@ -23,6 +23,7 @@ struct PathModeOptions {
     std::optional<float> focus_m;
     std::string checkpoint;
     double checkpoint_every_s = 30.0;
+    bool light_paths = false;                 ///< the picture's AOVs even if no file takes them
     std::string label = "rendering by path";  ///< of what is shown while it lasts
 };
 

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "candela/scene/error.hpp"
+#include "candela/scene/printable.hpp"
+
 namespace candela::app {
 namespace {
 
@@ -116,7 +119,8 @@ void ProgressLine::draw() {
 }
 
 void print_written(std::span<const std::filesystem::path> files) {
-    for (const std::filesystem::path& file : files) std::fprintf(stderr, "candela: wrote %s\n", file.c_str());
+    for (const std::filesystem::path& file : files)
+        std::fprintf(stderr, "candela: wrote %s\n", printable(file.string()).c_str());
 }
 
 void print_written(const std::filesystem::path& file) {

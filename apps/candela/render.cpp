@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/scene/error.hpp"
+#include "candela/scene/printable.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "emission_units.hpp"
@@ -151,8 +152,8 @@ int render(RenderOptions options) {
         std::printf("%s\n", out.dump(2).c_str());
     } else {
         for (const std::string& file : options.files.outputs) {
-            std::fprintf(stderr, "candela: wrote %s (%ux%u, EV100 %.2f%s%s)\n", file.c_str(), still.width,
-                         still.height, static_cast<double>(still.ev100),
+            std::fprintf(stderr, "candela: wrote %s (%ux%u, EV100 %.2f%s%s)\n", printable(file).c_str(),
+                         still.width, still.height, static_cast<double>(still.ev100),
                          job.exposure.automatic() ? ", metered" : "", note.c_str());
         }
     }
@@ -168,6 +169,8 @@ void add_render(CLI::App& app, Action& action) {
     command
         ->add_option("-o,--output", options->files.outputs,
                      "FILE.png or FILE.exr; may be given several times (out.png)")
+        ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);

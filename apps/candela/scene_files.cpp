@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "candela/io/image_read.hpp"
+#include "candela/io/json_position.hpp"
 #include "candela/scene/error.hpp"
 #include "progress_line.hpp"
 
@@ -12,6 +14,12 @@ void check(float value, float low, float high, const std::string& option, const 
     if (!(value >= low && value <= high)) throw Error(Fault::usage, "out of range", option, range);
 }
 
+/// Of a stage that was read a moment ago.
+std::string text_of(const std::string& file) {
+    const std::vector<std::byte> bytes = io::read_file(file, std::size_t{16} << 20);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 }  // namespace
 
 void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
@@ -20,6 +28,12 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
                                                           {"unitless", io::GltfLightUnits::unitless},
                                                           {"raw", io::GltfLightUnits::raw}};
     command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
+    command
+        .add_option("--search", o.search_folders,
+                    "A folder in which the stage's files may lie, beside its own; may be given several times")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all();
     command.add_option("--light-scale", o.light_scale, "Multiplies every light of the scene file");
     command
         .add_option_function<std::string>(
@@ -40,6 +54,8 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
 StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostics) {
     check(o.light_scale, 0.0f, 1e12f, "--light-scale", "0 to 1e+12");
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
+    if (o.stage_file.empty() && !o.search_folders.empty())
+        throw Error(Fault::usage, "has no effect without a stage", "--search", "--stage FILE");
     StagedScene out;
     ProgressLine line("loading " + std::filesystem::path(o.scene_file).filename().string());
     io::GltfOptions gltf;
@@ -50,9 +66,14 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     gltf.memory = o.memory;
     gltf.progress = line.steps();
     out.scene = io::load_gltf(o.scene_file, gltf, diagnostics);
-    if (!o.stage_file.empty()) out.stage = io::load_stage(o.stage_file);
-    io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
-    io::place_stage_probes(out.stage.probes, out.scene);
+    if (o.stage_file.empty()) return out;
+    out.stage = io::load_stage(o.stage_file, {o.search_folders.begin(), o.search_folders.end()});
+    try {
+        io::place_stage_lights(out.stage.lights, out.scene, diagnostics);
+        io::place_stage_probes(out.stage.probes, out.scene);
+    } catch (const Error& error) {
+        throw io::with_position(error, o.stage_file, text_of(o.stage_file));
+    }
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "candela/io/gltf.hpp"
 #include "candela/io/stage.hpp"
@@ -13,6 +14,7 @@ namespace candela::app {
 struct SceneFileOptions {
     std::string scene_file;
     std::string stage_file;
+    std::vector<std::string> search_folders;  ///< where the stage may find files beside its own folder
     float light_scale = 1.0f;
     io::GltfLightUnits light_units = io::GltfLightUnits::spec;
     float time_s = 0.0f;

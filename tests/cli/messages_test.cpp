@@ -26,6 +26,14 @@ TEST(Messages, AMisspeltCommandOrOptionGetsItsNeighbour) {
     expect_one_line(run_candela("render scene.glb --sise 8x8"), 2,
                     "--sise: no such option of candela render (did you mean --size?)");
     expect_one_line(run_candela("render scene.glb --tonemapp=aces"), 2, "did you mean --tonemap?");
+    expect_one_line(run_candela("render scene.glb --denoise"), 2,
+                    "no such option of candela render (there is no denoiser: more --samples");
+    expect_one_line(run_candela("render scene.glb --fov 40"), 2, "(did you mean --focal-mm?)");
+    expect_one_line(run_candela("render scene.glb --look 1,2,3"), 2, "--look-from or --look-at?");
+    expect_one_line(run_candela("my/scene.glb -o a.png"), 2,
+                    "no command, but a file (did you mean candela render my/scene.glb?)");
+    expect_one_line(run_candela("lamp.ies"), 2, "candela light lamp.ies");
+    expect_one_line(run_candela("help rendr"), 2, "rendr: no such command (did you mean render?)");
     expect_one_line(run_candela(""), 2, "needs a command: render");
     expect_one_line(run_candela("env"), 2, "needs a command: info, calibrate, split");
     expect_one_line(run_candela("render scene.glb extra"), 2, "extra: not expected (candela render --help)");
@@ -87,15 +95,16 @@ TEST(Messages, FilesThatAreNotWhatTheyShouldBe) {
     spit(folder / "no_env.json", R"({"environment": {"file": "missing.exr"}})");
     spit(folder / "no_ies.json", R"({"lights": [{"type": "point", "profile": "missing.ies"}]})");
     const std::string staged = "render " + plane() + " -o " + (folder / "a.png") + " --stage ";
-    expect_one_line(run_candela(staged + CANDELA_BINARY), 1, "is not text, but JSON is expected");
-    expect_one_line(run_candela(staged + plane()), 1, "is not text, but JSON is expected");
+    expect_one_line(run_candela(staged + CANDELA_BINARY), 1, "not a stage: a program");
+    expect_one_line(run_candela(staged + plane()), 1, "not a stage: a binary glTF scene");
     expect_one_line(run_candela(staged + (folder / "empty.glb")), 1, "the file is empty");
     expect_one_line(run_candela(staged + (folder / "list.json")), 1, "list.json: a stage is a JSON object");
     expect_one_line(run_candela(staged + (folder / "no_env.json")), 1,
-                    "no_env.json: /environment/file: " + (folder / "missing.exr") + ": no such file");
-    expect_one_line(run_candela(staged + (folder / "no_ies.json")), 1, "no_ies.json: /lights/0/profile: ");
+                    "no_env.json:1:18: /environment/file: " + (folder / "missing.exr") + ": no such file");
+    expect_one_line(run_candela(staged + (folder / "no_ies.json")), 1,
+                    "no_ies.json:1:31: /lights/0/profile: ");
     expect_one_line(run_candela("info " + (folder / "empty.glb")), 1, "empty.glb: the file is empty");
-    expect_one_line(run_candela("info " CANDELA_BINARY), 1, "neither a .glb nor a .gltf file");
+    expect_one_line(run_candela("info " CANDELA_BINARY), 1, "not glTF: a program");
     const Outcome plot = run_candela("light a.ies --plot a.bmp");
     expect_one_line(plot, 2, "--plot: a.bmp is neither .svg nor .png");
     EXPECT_EQ(plot.err.find("--plot: --plot"), std::string::npos) << plot.err;
@@ -188,6 +197,84 @@ TEST(Messages, CompareShowsNamesInFull) {
     };
     ASSERT_NE(outcome.out.find("\nrmse "), std::string::npos) << outcome.out;
     EXPECT_EQ(line(long_name).size(), line("rmse ").size()) << outcome.out;
+}
+
+TEST(Messages, HelpIsInGroupsWithExamples) {
+    const Outcome help = run_candela("help render");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.out, run_candela("render --help").out);
+    std::size_t before = 0;
+    for (const char* group : {"What is shown:", "Light:", "Camera and exposure:", "Quality and speed:",
+                              "Output:", "Examples:\n  candela render scene.glb -o picture.png"}) {
+        const std::size_t at = help.out.find(group);
+        ASSERT_NE(at, std::string::npos) << group << help.out;
+        EXPECT_GT(at, before) << group;
+        before = at;
+    }
+    EXPECT_LT(help.out.find("Light:"), help.out.find("--env "));
+    EXPECT_LT(help.out.find("--env "), help.out.find("Camera and"));
+    EXPECT_NE(run_candela("help").out.find("candela help COMMAND"), std::string::npos);
+    EXPECT_NE(run_candela("help env split").out.find("--contrast"), std::string::npos);
+    for (const char* command :
+         {"info", "bench", "compare", "meter", "bake", "bake probes", "convert", "validate", "light", "env"})
+        EXPECT_NE(run_candela(std::string("help ") + command).out.find("Examples:"), std::string::npos)
+            << command;
+}
+
+TEST(Messages, SidesAndAperturesAreTakenAsPeopleWriteThem) {
+    const TemporaryFolder folder;
+    const auto size = [&](const std::string& options) {
+        const Outcome outcome =
+            run_candela("render " + plane() + " --json -o " + (folder / "a.png") + " " + options);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const auto json = nlohmann::json::parse(outcome.out);
+        return json["width"].dump() + "x" + json["height"].dump();
+    };
+    EXPECT_EQ(size("--width 32 --height 20"), "32x20");
+    EXPECT_EQ(size("--width 32"), "32x18");
+    EXPECT_EQ(size("--height 18"), "32x18");
+    expect_one_line(run_candela("render s.glb --width 32 --size 8x8"), 2, "contradicts --size");
+    for (const char* aperture : {"8", "f/8", "F/8", "f8"})
+        EXPECT_EQ(size(std::string("--size 8x8 --shutter 1/125 --iso 100 --aperture ") + aperture), "8x8");
+    expect_one_line(run_candela("render s.glb --aperture g/8"), 2, "--aperture");
+    // An option takes one file; what follows is the scene.
+    EXPECT_EQ(run_candela("render --size 8x8 -o " + (folder / "b.png") + " " + plane()).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "b.png"));
+}
+
+TEST(Messages, WrongKindsOfFileAreNamed) {
+    const TemporaryFolder folder;
+    spit(folder / "cube.obj", "v 0 0 0\nv 1 0 0\n");
+    spit(folder / "a.stage.json", R"({"environment": {"sky": {}}})");
+    spit(folder / "a.png", "\x89PNG\r\n\x1a\n\x00\x1b[2J");
+    expect_one_line(run_candela("info " + (folder / "cube.obj")), 1,
+                    "cube.obj: not glTF: an OBJ mesh (export it as .glb");
+    expect_one_line(run_candela("info " + (folder / "a.stage.json")), 1, "not glTF: a stage (candela render");
+    expect_one_line(run_candela("light " + (folder / "a.png")), 1,
+                    "not a photometric file (IES or EULUMDAT): a PNG");
+    expect_one_line(run_candela("env info " + plane()), 1, "a binary glTF scene");
+    expect_one_line(run_candela("render " + plane() + " --env studoi"), 1,
+                    "studoi: no such file (did you mean studio? built in are studio, sky");
+}
+
+TEST(Messages, CompareNamesBothFiles) {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> rgb(48, 100);
+    io::write_png(folder / "a.png", 2, 2, std::span<const std::uint8_t>(rgb).first(12), {});
+    io::write_png(folder / "b.png", 4, 4, std::span<const std::uint8_t>(rgb), {});
+    expect_one_line(run_candela("compare " + (folder / "a.png") + " " + (folder / "b.png")), 1,
+                    (folder / "a.png") + ": is 2x2 pixels, the reference " + (folder / "b.png") + " 4x4");
+}
+
+TEST(Messages, ATimeWithoutAnAnimationIsSaid) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_candela("render " + plane() + " --time 2 --size 8x8 -o " + (folder / "a.png"));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("the time has no effect: the scene has no animation"), std::string::npos)
+        << outcome.err;
+    expect_one_line(run_candela("render " + plane() + " --search " + folder.path().string()), 2,
+                    "--search: has no effect without a stage");
 }
 
 // Two suns are seldom meant: a scene made for its own sun under a sky with one.

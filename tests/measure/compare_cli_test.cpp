@@ -200,9 +200,42 @@ TEST_F(CompareCommand, AScenesFrameIsComparedWithItsTruth) {
     const json out = json::parse(outcome.out);
     EXPECT_EQ(out["reference"], "path");
     ASSERT_EQ(out["pictures"].size(), 3u);
-    EXPECT_EQ(out["pictures"][0]["name"], "integrate");
-    EXPECT_EQ(out["pictures"][1]["name"], "best");
-    EXPECT_EQ(out["pictures"][2]["name"], "mobile");
+    EXPECT_EQ(out["pictures"][0]["name"], "realtime best");
+    EXPECT_EQ(out["pictures"][1]["name"], "realtime mobile");
+    EXPECT_EQ(out["pictures"][2]["name"], "integrate");
     EXPECT_GT(out["pictures"][0]["metrics"]["flip"], 0.0);
+    EXPECT_EQ(out["pictures"][0]["verdict"].get<std::string>().rfind("realtime best ", 0), 0u);
+    EXPECT_GT(out["reference_noise"]["flip"], 0.0);
     EXPECT_TRUE(std::filesystem::exists(report));
+    EXPECT_NE(slurp(report).find("--integrate-spp 1 --profile best"), std::string::npos)
+        << "the command line";
+    // The paths add up to what is seen but the background, each on its side.
+    const json& paths = out["pictures"][0]["light_paths"];
+    ASSERT_EQ(paths.size(), 6u);
+    double share = 0.0;
+    for (const json& row : paths) share += row["share"].get<double>();
+    EXPECT_NEAR(share, 1.0, 1e-6);
+    EXPECT_GT(paths[2]["reference_mean_nit"], 0.0) << "the environment is no direct light";
+    EXPECT_NEAR(paths[2]["mean_nit"].get<double>() / paths[2]["reference_mean_nit"].get<double>(), 1.0, 0.5);
+}
+
+TEST_F(CompareCommand, AModeThatIsNotNamedIsLeftOut) {
+    for (const auto& demo : candela::scenes::demos()) demo.write(folder_.path());
+    const std::string command = "compare " + (folder_ / "lamps.glb") + " --stage " +
+                                (folder_ / "lamps.stage.json") + " --size 64x36 --samples 1 --json ";
+    const json out = json::parse(run_candela(command + "--modes realtime,path --path-spp 4").out);
+    ASSERT_EQ(out["pictures"].size(), 1u);
+    EXPECT_EQ(out["pictures"][0]["name"], "realtime");
+    EXPECT_EQ(out["reference"], "path");
+    // Direct light is that of the lights on both sides, and shadows take away about as much.
+    const json& paths = out["pictures"][0]["light_paths"];
+    ASSERT_EQ(paths.size(), 6u);
+    EXPECT_GT(paths[0]["reference_mean_nit"], 0.0);
+    EXPECT_NEAR(paths[0]["mean_nit"].get<double>() / paths[0]["reference_mean_nit"].get<double>(), 1.0, 0.2);
+    EXPECT_EQ(
+        json::parse(run_candela(command + "--modes realtime,integrate --integrate-spp 1").out)["reference"],
+        "integrate");
+    expect_one_line(run_candela(command + "--modes path"), 2, "one picture has nothing to be compared with");
+    expect_one_line(run_candela(command + "--modes realtime,path --integrate-spp 4"), 2,
+                    "--integrate-spp: has no effect without the mode integrate");
 }

@@ -2,6 +2,17 @@
 (async () => {
   while (!document.documentElement.dataset.ready) await new Promise(done => setTimeout(done, 5));
   const result = {ready: document.documentElement.dataset.ready};
+  const clipped = () => Array.from(document.querySelectorAll("header *, aside *")).filter(e => {
+    const box = e.getBoundingClientRect();
+    const cut = getComputedStyle(e).overflowX !== "visible" && e.scrollWidth > e.clientWidth + 1;
+    return e.tagName !== "OPTION" && box.width > 0 && (box.right > window.innerWidth + 0.5 || cut);
+  }).map(e => `${e.tagName}#${e.id}: ${e.textContent}`);
+  result.clipped = clipped();
+  result.opened = document.getElementById("left").selectedOptions[0].textContent;
+  result.verdicts = document.getElementById("verdicts").textContent;
+  result.noise = Array.from(document.querySelectorAll("#metrics [data-metric=flip] td"), e => e.textContent);
+  result.paths = Array.from(document.querySelectorAll("#paths tbody tr"), e => e.textContent);
+  result.command = document.getElementById("command").textContent;
   const {draw, state, renderer, panes} = window.candelaReport;
   const get = id => document.getElementById(id), stage = get("stage"), canvas = get("canvas");
   const ratio = window.devicePixelRatio || 1;

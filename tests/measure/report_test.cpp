@@ -47,7 +47,7 @@ bool has_chromium() {
 }
 
 /// The report in headless Chromium under report_drive.js: what the page said.
-json drive(const Report& report, const std::string& fragment) {
+json drive(const Report& report, const std::string& fragment, const std::string& window = "1000,600") {
     const TemporaryFolder folder;
     std::string page = report_html(report);
     const std::string script = slurp(CANDELA_SOURCE_DIR "/tests/measure/report_drive.js");
@@ -55,10 +55,9 @@ json drive(const Report& report, const std::string& fragment) {
     std::ofstream(folder / "report.html") << page;
     const std::string command =
         "timeout 100 chromium --headless --no-sandbox --disable-dev-shm-usage --use-angle=swiftshader "
-        "--enable-unsafe-swiftshader --hide-scrollbars --window-size=1000,600 --virtual-time-budget=30000 "
-        "--user-data-dir=" +
-        (folder / "profile") + " --dump-dom 'file://" + (folder / "report.html") + fragment + "' >" +
-        (folder / "dom") + " 2>" + (folder / "log");
+        "--enable-unsafe-swiftshader --hide-scrollbars --virtual-time-budget=30000 --window-size=" +
+        window + " --user-data-dir=" + (folder / "profile") + " --dump-dom 'file://" +
+        (folder / "report.html") + fragment + "' >" + (folder / "dom") + " 2>" + (folder / "log");
     const int status = std::system(command.c_str());
     const std::string dom = slurp(folder / "dom");
     const std::size_t begin = dom.rfind("BEGIN{"), end = dom.rfind("}END");
@@ -126,6 +125,28 @@ void check(const json& page, const Report& report) {
     EXPECT_EQ(page["metrics"]["nonfinite"], "1");
 }
 
+/// As `compare SCENE` makes it: real time is not the first of the tested pictures.
+Report scene_report() {
+    Report report = test_report();
+    report.pictures[0].name = "integrate";
+    report.pictures[0].settings = {{"mode", "integrate"}};
+    report.pictures[1].name = "path";
+    report.pictures[1].settings = {{"mode", "path"}};
+    ReportPicture frame = report.pictures[0];
+    frame.name = "realtime frostbite";
+    frame.settings = {{"mode", "realtime"},
+                      {"device", "a device whose name is longer than the column is wide"}};
+    frame.verdict = "realtime frostbite is close to path.";
+    frame.paths = {{"environment and indirect diffuse", 1234.5, 1300.25, 65.75, 1.0}};
+    report.pictures.push_back(frame);
+    frame.name = "realtime mobile";
+    report.pictures.push_back(frame);
+    report.noise = frame.comparison.metrics;
+    report.noise->flip = 0.0125;
+    report.command = "candela compare scene.glb --stage 'a stage.json' -o report.html";
+    return report;
+}
+
 }  // namespace
 
 TEST(Report, Base64IsThatOfTheStandard) {
@@ -171,4 +192,17 @@ TEST(Report, ShowsTheSameWithoutWebGl) {
     ASSERT_FALSE(page.is_null());
     EXPECT_EQ(page["ready"], "2D canvas");
     check(page, report);
+}
+
+TEST(Report, OpensOnRealTimeWithEverythingInViewAt1280Pixels) {
+    if (!has_chromium()) GTEST_SKIP() << "no chromium";
+    const json page = drive(scene_report(), "#2d", "1280,720");
+    EXPECT_EQ(page["opened"], "realtime frostbite");
+    EXPECT_EQ(page["clipped"], json::array());
+    EXPECT_NE(page["verdicts"].get<std::string>().find("is close to path"), std::string::npos);
+    ASSERT_EQ(page["noise"].size(), 4u);
+    EXPECT_EQ(page["noise"][3], "0.01250");
+    ASSERT_EQ(page["paths"].size(), 2u);
+    EXPECT_NE(page["paths"][0].get<std::string>().find("100 %"), std::string::npos);
+    EXPECT_EQ(page["command"], scene_report().command);
 }

@@ -56,7 +56,9 @@ TEST(Stage, BadDocumentsNameTheirPointer) {
     for (const json& entry : kDocuments["bad"]) {
         const std::string pointer = entry[0];
         const std::string line = error_of(entry[1].dump());
-        EXPECT_NE(line.find("a.stage.json: " + pointer + ": "), std::string::npos)
+        EXPECT_NE(std::regex_replace(line, std::regex("(a\\.stage\\.json):\\d+:\\d+"), "$1")
+                      .find("a.stage.json: " + pointer + ": "),
+                  std::string::npos)
             << entry << " gave: " << line;
     }
 }
@@ -86,7 +88,7 @@ TEST(Stage, MisspeltKeysGetAHint) {
 
 TEST(Stage, CommentsAreAllowedAndBrokenJsonNamesItsLine) {
     EXPECT_EQ(error_of("{ // light\n \"environment\": {\"studio\": true} /* soft boxes */ }"), "");
-    EXPECT_NE(error_of("{\n\"camera\": {,}\n}").find("a.stage.json:2: not valid JSON"), std::string::npos);
+    EXPECT_NE(error_of("{\n\"camera\": {,}\n}").find("a.stage.json:2:12: not valid JSON"), std::string::npos);
 }
 
 TEST(Stage, FilesOutsideOfTheFolderAreRefused) {

@@ -29,6 +29,17 @@ TEST(Registry, HoldsEveryExperimentFileOnceUnderItsName) {
     EXPECT_GE(ids.size(), 24u);
 }
 
+// One heading a paper: no paper goes by two names.
+TEST(Registry, APaperHasOneName) {
+    std::set<std::string> papers;
+    for (const Experiment& e : all_experiments()) papers.insert(e.paper);
+    for (const std::string& a : papers) {
+        for (const std::string& b : papers) {
+            if (a != b) EXPECT_EQ(a.find(b), std::string::npos) << a << " and " << b;
+        }
+    }
+}
+
 TEST(Registry, EveryExperimentNamesItsSourceAndSaysWhatItComputes) {
     for (const Experiment& e : all_experiments()) {
         EXPECT_FALSE(e.paper.empty()) << e.id;

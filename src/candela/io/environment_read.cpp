@@ -10,6 +10,7 @@
 
 #include "candela/io/environment_faces.hpp"
 #include "candela/io/exr_read.hpp"
+#include "candela/io/file_kind.hpp"
 #include "candela/io/hdr_read.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_read_limits.hpp"
@@ -271,7 +272,8 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
         return {from_display_picture(decode_image(bytes(), where), file.filename().string(), diagnostics),
                 false,
                 {}};
-    throw input_error("not a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", where,
+    throw input_error(
+        not_a("a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", kind_of_file(file)), where,
                       "an environment holds luminance in cd/m^2");
 }
 

@@ -274,6 +274,8 @@ scene::Scene build(const GltfDocument& document, const GltfOptions& options, Dia
     check_extensions(document, diagnostics);
     scene::Scene scene;
     scene.name = document.name();
+    if (options.time_s != 0.0f && document.count("animations") == 0)
+        diagnostics.warn("the time has no effect: the scene has no animation");
     std::vector<Node> nodes = read_posed_nodes(document, options);
     GltfLights lights(document, options, diagnostics);
     Poser poser{document, nodes, scene, diagnostics};

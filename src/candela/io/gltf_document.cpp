@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "candela/io/data_uri.hpp"
+#include "candela/io/file_kind.hpp"
 #include "candela/io/glb.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/json_reader.hpp"
@@ -43,6 +44,13 @@ std::string version_text(const json& document, const char* key) {
     return value.is_number() ? value.dump() : value.is_string() ? value.get<std::string>() : "";
 }
 
+/// What is no glTF at all is said as what it is, and not as JSON with a mistake.
+void check_is_text(std::span<const std::byte> bytes, const std::string& name) {
+    const FileKind kind = kind_of_file(bytes, name);
+    const bool known = !kind.name.empty() && kind.name != "a glTF scene" && kind.name != "a JSON file";
+    if (known || is_binary(bytes)) throw input_error(not_a("glTF", kind), name, kind.hint);
+}
+
 }  // namespace
 
 GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
@@ -52,8 +60,8 @@ GltfDocument::GltfDocument(std::span<const std::byte> bytes, std::string name,
     if (bytes.empty()) throw input_error("the file is empty", name_, "a .gltf or .glb file is expected");
     if (is_glb(bytes))
         chunks = split_glb(bytes, name_, warnings_);
-    else if (is_binary(bytes))
-        throw input_error("neither a .glb nor a .gltf file", name_);
+    else
+        check_is_text(bytes, name_);
     std::string utf8;
     const std::string_view text(reinterpret_cast<const char*>(chunks.json.data()), chunks.json.size());
     if (!is_utf8(text)) {

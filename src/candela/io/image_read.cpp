@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "candela/io/file_kind.hpp"
 #include "candela/io/image_read_codecs.hpp"
 #include "candela/io/image_read_limits.hpp"
 #include "candela/scene/error.hpp"
@@ -79,7 +80,8 @@ scene::Image decode_image(std::span<const std::byte> bytes, const std::string& w
     if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return detail::decode_png(bytes, where);
     if (starts_with(bytes, "\xff\xd8\xff")) return detail::decode_jpeg(bytes, where);
     if (starts_with(bytes, "RIFF") && starts_with(bytes, "WEBP", 8)) return detail::decode_webp(bytes, where);
-    throw input_error(bytes.empty() ? "the picture is empty" : "not a PNG, JPEG or WebP picture", where);
+    if (bytes.empty()) throw input_error("the picture is empty", where);
+    throw input_error(not_a("a PNG, JPEG or WebP picture", kind_of_file(bytes, where)), where);
 }
 
 const std::vector<float>* FloatImage::find(const std::string& channel) const {

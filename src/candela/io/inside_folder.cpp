@@ -4,6 +4,7 @@
 #include <cctype>
 #include <system_error>
 
+#include "candela/io/environment_faces.hpp"
 #include "candela/io/percent_encoding.hpp"
 #include "candela/scene/error.hpp"
 
@@ -24,7 +25,50 @@ bool is_below(const fs::path& folder, const fs::path& file) {
     return end == folder.end() || end->empty();
 }
 
+/// A file, a folder of faces, or what NAME_{face} stands for.
+bool is_there(const fs::path& file) {
+    std::error_code none;
+    if (fs::exists(file, none)) return true;
+    if (!detail::is_face_pattern(file)) return false;
+    try {
+        (void)detail::faces_of_pattern(file);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+fs::path absolute_inside(const SearchFolders& folders, const fs::path& file, const std::string& where) {
+    std::error_code error;
+    const fs::path real_file = fs::weakly_canonical(file, error);
+    std::vector<fs::path> all{folders.own};
+    all.insert(all.end(), folders.more.begin(), folders.more.end());
+    for (const fs::path& folder : all) {
+        std::error_code missing;
+        const fs::path real_folder = fs::canonical(folder, missing);
+        if (!error && !missing && is_below(real_folder, real_file)) return file;
+    }
+    throw input_error("absolute path outside of the stage's folder: " + file.string(), where,
+                      "--search " + file.parent_path().string() + " allows it");
+}
+
 }  // namespace
+
+fs::path inside_folders(const SearchFolders& folders, const std::string& uri, const std::string& where) {
+    if (fs::path(uri).is_absolute()) return absolute_inside(folders, fs::path(uri).lexically_normal(), where);
+    for (const fs::path& folder : folders.more) {
+        std::error_code none;
+        if (!fs::is_directory(folder, none))
+            throw input_error("no such folder", folder.string(), "--search DIR");
+    }
+    const fs::path own = inside_folder(folders.own, uri, where);
+    if (is_there(own)) return own;
+    for (const fs::path& folder : folders.more) {
+        fs::path file = inside_folder(folder, uri, where);
+        if (is_there(file)) return file;
+    }
+    return own;
+}
 
 fs::path inside_folder(const fs::path& folder, const std::string& uri, const std::string& where) {
     constexpr const char* hint = "only files in the same folder or below are read";

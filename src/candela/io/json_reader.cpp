@@ -1,9 +1,10 @@
 #include "candela/io/json_reader.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
+#include <vector>
 
+#include "candela/io/json_position.hpp"
 #include "candela/scene/error.hpp"
 
 namespace candela::io {
@@ -29,19 +30,41 @@ void check_depth(std::string_view text, const std::string& where, int max_depth)
     }
 }
 
+/// Edits of one letter, among them two neighbours that changed places (Damerau 1964, optimal string
+/// alignment).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
+    const std::size_t columns = b.size() + 1;
+    std::vector<std::size_t> d((a.size() + 1) * columns);
+    const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return d[i * columns + j]; };
+    for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = i;
+    for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            diagonal = above;
+            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+            at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
         }
     }
-    return row[b.size()];
+    return d.back();
+}
+
+std::string without_dashes(const std::string& name) {
+    return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
+/// The names that begin with this one and go on with another word: power_lm for power.
+std::string longer_names(const std::string& name, std::span<const std::string> known) {
+    constexpr int most = 3;
+    std::string out;
+    int count = 0;
+    for (const std::string& candidate : known) {
+        if (name.size() < 3 || !(candidate.starts_with(name + "_") || candidate.starts_with(name + "-")))
+            continue;
+        if (++count > most) break;
+        out += (out.empty() ? "" : " or ") + candidate;
+    }
+    return out;
 }
 
 }  // namespace
@@ -77,19 +100,22 @@ nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& w
         return nlohmann::json::parse(text.begin(), text.end(), unique_keys, true, comments);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t byte = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
-        const auto line =
-            std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n') + 1;
-        throw input_error("not valid JSON", where + ":" + std::to_string(line));
+        const TextPosition at = position_of_byte(text, byte);
+        throw input_error("not valid JSON",
+                          where + ":" + std::to_string(at.line) + ":" + std::to_string(at.column));
     } catch (const nlohmann::json::exception&) {
         throw input_error("not valid JSON", where);
     }
 }
 
 std::string nearest_name(const std::string& name, std::span<const std::string> known) {
+    if (std::string longer = longer_names(name, known); !longer.empty()) return longer;
     std::string best;
-    std::size_t least = std::max<std::size_t>(3, name.size() / 2);
+    // A third of the letters wrong is another word.
+    const std::string word = without_dashes(name);
+    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : known) {
-        const std::size_t distance = edit_distance(name, candidate);
+        const std::size_t distance = edit_distance(word, without_dashes(candidate));
         if (distance < least) {
             least = distance;
             best = candidate;

@@ -18,7 +18,8 @@ namespace candela::io {
 /// Whether there are bytes that no text has: a line number would say nothing of a picture or a program.
 [[nodiscard]] bool is_binary(std::span<const std::byte> bytes);
 
-/// The known name that is nearest to a misspelt one, or empty when none is near.
+/// The known name that is nearest to a misspelt one, or the known names that go on where it ends ("power_lm"
+/// for "power"), up to three joined by "or"; empty when none is near. Dashes before a name do not count.
 [[nodiscard]] std::string nearest_name(const std::string& name, std::span<const std::string> known);
 
 }  // namespace candela::io

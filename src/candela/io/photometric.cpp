@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "candela/io/file_kind.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/photometric_read.hpp"
 
@@ -80,6 +81,9 @@ scene::PhotometricProfile load_photometric_from_memory(std::span<const std::byte
                                                        Diagnostics& diagnostics,
                                                        const PhotometricOptions& options) {
     if (bytes.size() > kMostBytes) throw input_error("too large for a photometric file", where);
+    if (const FileKind kind = kind_of_file(bytes, where);
+        kind.by_content && kind.name.find("photometric") == std::string::npos)
+        throw input_error(not_a("a photometric file (IES or EULUMDAT)", kind), where);
     std::string utf8 = detail::photometric_utf8(as_text(bytes));
     const bool ies = is_ies(utf8, where);
     detail::PhotometricText text(std::move(utf8), where);

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "candela/io/file_kind.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/inside_folder.hpp"
+#include "candela/io/json_position.hpp"
 #include "candela/io/json_reader.hpp"
 #include "candela/io/stage_object.hpp"
 #include "candela/scene/error.hpp"
@@ -26,14 +28,14 @@ scene::SkySettings read_sky(const json& value, const std::string& where) {
 }
 
 StageEnvironment read_environment_entry(const json& value, const std::string& where,
-                                        const std::filesystem::path& folder) {
+                                        const SearchFolders& folders) {
     StageEnvironment e;
     e.where = where + "/file";
     bool studio = false;
     const StageObject object(
         value, where,
         {{"file", [&](const json& v,
-                      const std::string& at) { e.file = inside_folder(folder, stage_text(v, at), at); }},
+                      const std::string& at) { e.file = inside_folders(folders, stage_text(v, at), at); }},
          {"sky", [&](const json& v, const std::string& at) { e.sky = read_sky(v, at); }},
          {"studio", [&](const json& v, const std::string& at) { studio = stage_boolean(v, at); }},
          {"none", [&](const json& v, const std::string& at) { e.none = stage_boolean(v, at); }},
@@ -113,22 +115,28 @@ scene::Exposure read_exposure(const json& value, const std::string& where) {
 
 }  // namespace
 
-Stage load_stage(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    const json root = parse_json(read_file(file, std::size_t{16} << 20), name, true);
-    if (!root.is_object())
-        throw input_error("a stage is a JSON object", name,
-                          "{\"environment\": {\"sky\": {}}}; docs/stage.md");
-    const std::filesystem::path folder = file.parent_path().empty() ? "." : file.parent_path();
+namespace {
+
+/// What is no stage at all is said as what it is, and not as JSON with a mistake.
+void check_is_stage(std::span<const std::byte> bytes, const std::filesystem::path& file) {
+    const FileKind kind = kind_of_file(bytes, file);
+    if (bytes.empty() || kind.name == "a stage" || kind.name == "a JSON file") return;
+    const bool scene = kind.name.find("glTF") != std::string::npos;
+    if (!is_binary(bytes) && kind.name.empty()) return;
+    throw input_error(not_a("a stage", kind), file.string(),
+                      scene ? "candela render SCENE --stage STAGE.json" : "a JSON file; docs/stage.md");
+}
+
+Stage read_stage(const json& root, const std::string& name, const SearchFolders& folders) {
     Stage stage;
     const StageObject object(
         root, name + ": ",
         {{"environment",
           [&](const json& v, const std::string& at) {
-              stage.environment = read_environment_entry(v, at, folder);
+              stage.environment = read_environment_entry(v, at, folders);
           }},
          {"lights",
-          [&](const json& v, const std::string& at) { stage.lights = read_stage_lights(v, at, folder); }},
+          [&](const json& v, const std::string& at) { stage.lights = read_stage_lights(v, at, folders); }},
          {"reflection_probes",
           [&](const json& v, const std::string& at) { read_reflection_probes(v, at, stage.probes); }},
          {"irradiance_volumes",
@@ -137,6 +145,29 @@ Stage load_stage(const std::filesystem::path& file) {
          {"exposure", [&](const json& v, const std::string& at) { stage.exposure = read_exposure(v, at); }},
          {"$schema", [&](const json& v, const std::string& at) { (void)stage_text(v, at); }}});
     return stage;
+}
+
+}  // namespace
+
+Stage load_stage(const std::filesystem::path& file, const std::vector<std::filesystem::path>& search) {
+    const std::string name = file.string();
+    const std::vector<std::byte> bytes = read_file(file, std::size_t{16} << 20);
+    check_is_stage(bytes, file);
+    const json root = parse_json(bytes, name, true);
+    if (!root.is_object())
+        throw input_error("a stage is a JSON object", name,
+                          "{\"environment\": {\"sky\": {}}}; docs/stage.md");
+    const SearchFolders folders{file.parent_path().empty() ? "." : file.parent_path(), search};
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    try {
+        Stage stage = read_stage(root, name, folders);
+        if (stage.environment)
+            stage.environment->where =
+                with_position(input_error("", stage.environment->where), name, text).where();
+        return stage;
+    } catch (const Error& error) {
+        throw with_position(error, name, text);
+    }
 }
 
 ReadEnvironment read_stage_environment(const StageEnvironment& e, Diagnostics& diagnostics) {

@@ -13,8 +13,8 @@
 
 namespace candela::io {
 
-/// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved against the
-/// stage's folder and must stay inside it.
+/// What a stage file (docs/stage.schema.json) may say about the environment. `file` is resolved by
+/// inside_folders().
 struct StageEnvironment {
     std::string where;           ///< file and JSON pointer of `file`, for what shows when it is read
     std::filesystem::path file;  ///< as read_environment takes it; empty: sky, the built-in studio, or none
@@ -43,9 +43,11 @@ struct Stage {
     scene::Exposure exposure;
 };
 
-/// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file and JSON
-/// pointer; unknown keys are errors with the nearest known key as hint.
-[[nodiscard]] Stage load_stage(const std::filesystem::path& file);
+/// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file,
+/// line, column and pointer; unknown keys are errors with the nearest known key as hint. Files that it names
+/// are read from its folder or below, and from the folders of `search` or below (inside_folders()).
+[[nodiscard]] Stage load_stage(const std::filesystem::path& file,
+                               const std::vector<std::filesystem::path>& search = {});
 
 /// The picture of `file`. Throws Error (Fault::input) that names the stage's key too.
 [[nodiscard]] ReadEnvironment read_stage_environment(const StageEnvironment& environment,

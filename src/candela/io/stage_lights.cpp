@@ -220,9 +220,9 @@ void add_shape(Handlers& h, StageLight& out) {
     h["casts_shadow"] = editing(out, stage_boolean, [](Light& l, bool x) { l.casts_shadow = x; });
 }
 
-void add_files(Handlers& h, StageLight& out, const std::filesystem::path& folder) {
+void add_files(Handlers& h, StageLight& out, const SearchFolders& folders) {
     h["profile"] = [&](const json& v, const std::string& at) {
-        out.profile = inside_folder(folder, stage_text(v, at), at);
+        out.profile = inside_folders(folders, stage_text(v, at), at);
     };
     h["profile_scale"] = [&](const json& v, const std::string& at) {
         out.profile_scale =
@@ -232,11 +232,11 @@ void add_files(Handlers& h, StageLight& out, const std::filesystem::path& folder
         out.profile_multiplier = stage_number(v, at, 0.0, 1e12, "0 to 1e12");
     };
     h["image"] = [&](const json& v, const std::string& at) {
-        out.image = inside_folder(folder, stage_text(v, at), at);
+        out.image = inside_folders(folders, stage_text(v, at), at);
     };
 }
 
-StageLight read_entry(const json& value, const std::string& where, const std::filesystem::path& folder) {
+StageLight read_entry(const json& value, const std::string& where, const SearchFolders& folders) {
     StageLight out;
     out.where = where;
     Handlers handlers;
@@ -244,7 +244,7 @@ StageLight read_entry(const json& value, const std::string& where, const std::fi
     add_placement(handlers, out);
     add_strength(handlers, out);
     add_shape(handlers, out);
-    add_files(handlers, out, folder);
+    add_files(handlers, out, folders);
     const StageObject object(value, where, handlers);
     for (const auto& [key, unused] : value.items()) out.keys.push_back(key);
     check_entry(value, out);
@@ -269,11 +269,11 @@ void check_stage_light_keys(const StageLight& light, LightType type) {
 }
 
 std::vector<StageLight> read_stage_lights(const json& value, const std::string& where,
-                                          const std::filesystem::path& folder) {
+                                          const SearchFolders& folders) {
     if (!value.is_array()) throw input_error("must be an array", where);
     std::vector<StageLight> out;
     for (std::size_t i = 0; i < value.size(); ++i)
-        out.push_back(read_entry(value[i], where + "/" + std::to_string(i), folder));
+        out.push_back(read_entry(value[i], where + "/" + std::to_string(i), folders));
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "candela/io/inside_folder.hpp"
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/light_units.hpp"
 #include "candela/scene/scene.hpp"
@@ -37,7 +38,7 @@ struct StageLight {
 
 /// Reads the array `lights`. Throws Error (Fault::input) naming file and JSON pointer.
 [[nodiscard]] std::vector<StageLight> read_stage_lights(const nlohmann::json& value, const std::string& where,
-                                                        const std::filesystem::path& folder);
+                                                        const SearchFolders& folders);
 
 /// Throws Error (Fault::input) for a key that lights of this type do not have.
 void check_stage_light_keys(const StageLight& light, scene::LightType type);

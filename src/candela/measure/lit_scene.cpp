@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "candela/measure/flip_panel.hpp"
 #include "candela/measure/flip_rgb.hpp"
 #include "candela/measure/numerics.hpp"
 #include "shading/tone_curves.glsl"
@@ -86,10 +87,12 @@ void add_lit_figure(Findings& out, const LitScene& scene, const std::string& tit
                     double white) {
     const Panel reference = render(scene, truth, white);
     std::vector<Panel> pictures;
+    std::vector<Panel> flips;
     std::string caption = "From left: ";
     Table table{title + ": difference from the truth as seen", {"technique", "mean FLIP"}, {}};
     for (const LabelledIlluminance& t : techniques) {
         pictures.push_back(render(scene, t.illuminance, white));
+        flips.push_back(flip_panel(pictures.back(), reference));
         const double flip =
             mean_flip_of_srgb(pictures.back().rgb, reference.rgb, reference.width, reference.height);
         out.measured.push_back(at_most(title + ", " + t.label + ": mean FLIP", flip, t.flip_at_most));
@@ -98,6 +101,8 @@ void add_lit_figure(Findings& out, const LitScene& scene, const std::string& tit
     }
     pictures.push_back(reference);
     out.pictures.push_back(beside(pictures, title, caption + "truth."));
+    out.pictures.push_back(
+        beside(flips, title + ": FLIP", "Of each technique against the truth, black 0, pale yellow 1."));
     out.tables.push_back(std::move(table));
 }
 

@@ -25,6 +25,17 @@ json metrics_json(const Metrics& m) {
     return out;
 }
 
+json paths_json(const std::vector<PathError>& paths) {
+    json out = json::array();
+    for (const PathError& row : paths)
+        out.push_back({{"path", row.path},
+                       {"reference", number(row.reference_mean_nit)},
+                       {"picture", number(row.picture_mean_nit)},
+                       {"error", number(row.mean_absolute_nit)},
+                       {"share", number(row.share)}});
+    return out;
+}
+
 /// Text inside a script element must not close it, whatever a file is called.
 std::string script_text(const json& value) {
     const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -102,6 +113,7 @@ json report_json(const Report& report, float scale) {
     const bool luminance = report.options.meaning == PixelMeaning::luminance;
     json out{{"title", report.title},
              {"version", report.version},
+             {"command", report.command},
              {"width", reference.width},
              {"height", reference.height},
              {"reference", report.reference},
@@ -113,12 +125,16 @@ json report_json(const Report& report, float scale) {
              {"scale", scale},
              {"colorMap", detail::base64(color_map())},
              {"pictures", json::array()}};
+    if (report.noise) out["noise"] = metrics_json(*report.noise);
     for (std::size_t i = 0; i < report.pictures.size(); ++i) {
         const ReportPicture& p = report.pictures[i];
         json settings = json::array();
         for (const auto& [key, value] : p.settings) settings.push_back({key, value});
         out["pictures"].push_back({{"name", p.name}, {"settings", settings}});
-        if (i != report.reference) out["pictures"].back()["metrics"] = metrics_json(p.comparison.metrics);
+        if (i == report.reference) continue;
+        out["pictures"].back()["metrics"] = metrics_json(p.comparison.metrics);
+        out["pictures"].back()["verdict"] = p.verdict;
+        out["pictures"].back()["paths"] = paths_json(p.paths);
     }
     return out;
 }

@@ -75,7 +75,8 @@ Findings run() {
 
 Experiment environment_filter() {
     return {
-        "Frostbite", "4.9.2", "Filtering an environment: error of each level by technique",
+        "Lagarde & de Rousiers 2014 (Frostbite)", "4.9.2",
+        "Filtering an environment: error of each level by technique",
         "The LD term of Frostbite's equation 53 by convolution in spherical harmonics, by 32 filtered "
         "samples (Krivanek and Colbert), by 1024 samples of GGX, and with a cosine lobe in place of GGX's.",
         run};

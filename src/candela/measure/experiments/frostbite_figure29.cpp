@@ -121,7 +121,8 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure29() {
-    return {"Frostbite", "Figure 29", "The sun as a disc on surfaces of every roughness",
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 29",
+            "The sun as a disc on surfaces of every roughness",
             "Listing 6's representative direction, a punctual sun and linearly transformed cosines against "
             "the sampled integral, "
             "views at 0, 30, 60 and 80 degrees, suns where the lobe goes.",

@@ -36,7 +36,8 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure47() {
-    return {"Frostbite", "Figure 47", "The reflection of all types of area light",
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 47",
+            "The reflection of all types of area light",
             "Metal spheres, alpha 0.02, 0.05, 0.1, 0.25 and 0.5 from left to right, under sphere, tube, disk "
             "and rectangle: Frostbite's "
             "technique (section 4.7.5) and linearly transformed cosines above the sampled integral.",

@@ -39,7 +39,8 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_figure48() {
-    return {"Frostbite", "Figure 48", "Mirror direction and dominant direction under spheres of many sizes",
+    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Figure 48",
+            "Mirror direction and dominant direction under spheres of many sizes",
             "Rough metal spheres under sphere lights of radius 0.1, 0.3, 0.6, 0.9 and 1.2 m from left to "
             "right: representative point "
             "towards the mirror direction, towards the dominant direction (listing 16), and linearly "

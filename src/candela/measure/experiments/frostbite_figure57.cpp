@@ -83,7 +83,7 @@ Findings run() {
 
 Experiment frostbite_figure57() {
     return {
-        "Frostbite", "Figure 57", "Mappings between roughness and mip level",
+        "Lagarde & de Rousiers 2014 (Frostbite)", "Figure 57", "Mappings between roughness and mip level",
         "The LD weight of the nine levels of a 256² cube where the perceptual roughness is the level's share "
         "to the power of 1, 1.5 and 2 (equation 63).",
         run};

@@ -42,14 +42,40 @@ function fillMetrics(report) {
   const reference = report.pictures[report.reference].name;
   document.getElementById("against").textContent = "against " + reference;
   const table = document.getElementById("metrics"), head = element("thead"), body = element("tbody");
-  head.append(row("th", ["", ...tested.map(p => p.name)]));
+  // The reference's own noise stands beside the errors, so that it is not read as one.
+  const columns = report.noise ? [...tested, {name: reference + "\u2019s own noise", metrics: report.noise}] : tested;
+  head.append(row("th", ["", ...columns.map(p => p.name)]));
   for (const [key, label, help] of lines) {
     if (!tested.some(p => key in p.metrics)) continue;
     const text = value => key === "nonfinite" ? String(value) : digits(value);
-    const cells = tested.map(p => p.metrics[key] === null && key === "psnr" ? "\u221e" : text(p.metrics[key]));
+    const cells = columns.map(p => p.metrics[key] === null && key === "psnr" ? "\u221e" : text(p.metrics[key]));
     body.append(row("td", [label, ...cells], {title: help, "data-metric": key}));
   }
   table.append(head, body);
+}
+
+function fillVerdicts(report) {
+  const place = document.getElementById("verdicts");
+  for (const p of report.pictures) if (p.verdict) place.append(element("p", p.verdict));
+  document.getElementById("command").textContent = report.command;
+  document.getElementById("command-part").hidden = !report.command;
+}
+
+// A block a picture: what its light and the reference's are along each path, and how the difference is shared out.
+function fillPaths(report) {
+  const tested = report.pictures.filter(p => p.paths && p.paths.length);
+  document.getElementById("paths-part").hidden = !tested.length;
+  const table = document.getElementById("paths"), reference = report.pictures[report.reference].name;
+  for (const p of tested) {
+    const head = element("thead"), body = element("tbody");
+    head.append(row("th", [p.name, "here", reference, "error", "share"]));
+    for (const r of p.paths) {
+      const share = r.path.startsWith("shadows") ? "" : `${(100 * r.share).toFixed(0)} %`;
+      body.append(row("td", [r.path, digits(r.picture), digits(r.reference), digits(r.error), share],
+                      {title: "Mean luminance here and in the reference, mean absolute difference, its share", "data-path": r.path}));
+    }
+    table.append(head, body);
+  }
 }
 
 function fillSettings(report) {

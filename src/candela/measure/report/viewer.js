@@ -22,7 +22,10 @@ async function openReport() {
   if (renderer.name !== "WebGL2")
     for (const curve of ["1", "2"]) get("tone").querySelector(`[value="${curve}"]`).remove();
 
-  const tested = pictures.findIndex(p => p.flip);
+  // Real time against the reference, where there is a picture of it.
+  const isRealtime = i => report.pictures[i].settings.some(s => s[0] === "mode" && s[1] === "realtime");
+  const realtime = pictures.findIndex((p, i) => p.flip && isRealtime(i));
+  const tested = realtime >= 0 ? realtime : pictures.findIndex(p => p.flip);
   const state = {left: tested, right: report.reference, view: "swipe", split: 0.5, stops: 0, held: false,
                  tone: report.luminance ? report.toneCurve : 0, zoom: 1, x: 0, y: 0, fitted: true};
   const baseExposure = report.exposure / report.scale;
@@ -204,7 +207,9 @@ async function openReport() {
   const bar = get("legend").querySelector("canvas"), strip = bar.getContext("2d").createImageData(254, 1);
   for (let i = 0; i < 254; ++i) strip.data.set([...report.colorMapBytes.subarray(3 * i, 3 * i + 3), 255], 4 * i);
   bar.getContext("2d").putImageData(strip, 0, 0);
+  fillVerdicts(report);
   fillMetrics(report);
+  fillPaths(report);
   fillSettings(report);
   if (!report.luminance) {
     get("tone").disabled = true;
