@@ -83,16 +83,18 @@ gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler) {
     return desc;
 }
 
-/// Colour slots hold sRGB-encoded texels; the others are data.
-bool is_srgb_slot(std::size_t slot, const scene::Material& m) {
-    const bool specular_glossiness = m.workflow == scene::Workflow::specular_glossiness;
-    return slot == slot_base_color || slot == slot_emissive || slot == slot_specular_color ||
-           slot == slot_sheen_color || (slot == slot_metallic_roughness && specular_glossiness);
+/// As the path tracer reads textures: the file's texels, whatever the distance.
+gpu::SamplerDesc unfiltered(const scene::Sampler& sampler) {
+    scene::Sampler level0 = sampler;
+    level0.minify = sampler.magnify;
+    level0.mip = scene::MipFilter::none;
+    return sampler_desc(level0);
 }
 
 gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, const scene::Image& source,
-                        bool srgb) {
-    const auto levels = mip_chain(source, srgb);
+                        const MipOptions& options, bool filtered) {
+    const bool srgb = options.content == TexelContent::color;
+    const auto levels = mip_chain(source, options, filtered ? kAllLevels : 1);
     std::size_t bytes = 0;
     for (const auto& level : levels) bytes += level.size();
     gpu::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
@@ -114,10 +116,10 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
 }  // namespace
 
 GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-                   bool with_emissive)
+                   bool with_emissive, bool filtered_textures)
     : light_list(realtime::light_list(scene, with_emissive)) {
     upload_geometry(device, commands, scene);
-    upload_textures(device, commands, scene);
+    upload_textures(device, commands, scene, filtered_textures);
     upload_materials(device, commands, scene);
     upload_lights(device, commands);
     visible_shapes = static_cast<std::uint32_t>(shape_lights(light_list).size());
@@ -160,6 +162,8 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.world_center = glm::vec3(instance.world * glm::vec4(draw.world_center, 1.0f));
             draw.world_bounds = transformed(draw.world_bounds, instance.world);
             draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
+            constexpr std::uint32_t mapped = feature_normal_texture | feature_clearcoat_normal_texture;
+            any_normal_mapped |= (draw.features & mapped) != 0 && (draw.features & feature_unlit) == 0;
             if (!draw.blended) {
                 any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
                 any_layered |= (draw.features & feature_layered) != 0;
@@ -179,17 +183,18 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
 }
 
 void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands,
-                               const scene::Scene& scene) {
-    images_.push_back(upload_image(device, commands, white_image(), false));
+                               const scene::Scene& scene, bool filtered) {
+    images_.push_back(upload_image(device, commands, white_image(), {}, filtered));
     samplers_.push_back(gpu::create_sampler(device, {}));
 
-    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known_images;
+    std::map<std::pair<std::uint32_t, MipOptions>, std::uint32_t> known_images;
     std::vector<std::pair<scene::Sampler, std::uint32_t>> known_samplers;
-    const auto image_of = [&](std::uint32_t index, bool srgb) {
+    const auto image_of = [&](std::uint32_t index, const MipOptions& options) {
         if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
         const auto [entry, fresh] =
-            known_images.try_emplace({index, srgb}, static_cast<std::uint32_t>(images_.size()));
-        if (fresh) images_.push_back(upload_image(device, commands, scene.images[index], srgb));
+            known_images.try_emplace({index, options}, static_cast<std::uint32_t>(images_.size()));
+        if (fresh)
+            images_.push_back(upload_image(device, commands, scene.images[index], options, filtered));
         return entry->second;
     };
     const auto sampler_of = [&](const scene::Sampler& sampler) {
@@ -197,7 +202,8 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
             if (known == sampler) return index;
         }
         const auto index = static_cast<std::uint32_t>(samplers_.size());
-        samplers_.push_back(gpu::create_sampler(device, sampler_desc(sampler)));
+        samplers_.push_back(
+            gpu::create_sampler(device, filtered ? sampler_desc(sampler) : unfiltered(sampler)));
         known_samplers.emplace_back(sampler, index);
         return index;
     };
@@ -207,7 +213,7 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
         for (std::size_t slot = 0; slot < refs.size(); ++slot) {
             if (!*refs[slot] || refs[slot]->texture >= scene.textures.size()) continue;
             const scene::Texture& texture = scene.textures[refs[slot]->texture];
-            slots[slot] = {image_of(texture.image, is_srgb_slot(slot, material)),
+            slots[slot] = {image_of(texture.image, mip_options(slot, material)),
                            sampler_of(texture.sampler)};
         }
         material_textures_.push_back(slots);

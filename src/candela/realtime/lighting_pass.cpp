@@ -15,6 +15,7 @@ gpu::LayoutDesc layout() {
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);                        // light
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);                       // tiles
     types.insert(types.end(), kLightingAovs, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    types.push_back(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);  // normals without maps
     return {{types}, 0};
 }
 
@@ -62,6 +63,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     use_shading_inputs(commands, frame, scene);
     commands.use(frame.gbuffer, gpu::Use::sampled);
     commands.use(frame.layers, gpu::Use::sampled);
+    commands.use(frame.surface_normals, gpu::Use::sampled);
     commands.use(frame.depth, gpu::Use::sampled);
     commands.use(frame.light, gpu::Use::storage_write);
     for (gpu::Image& aov : frame.aovs) commands.use(aov, gpu::Use::storage_write);
@@ -75,6 +77,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     bindings.push_back(gpu::bind_buffer(frame.tiles));
     for (std::size_t i = 0; i < kLightingAovs; ++i)
         bindings.push_back(gpu::bind_storage(frame.aovs[i].view()));
+    bindings.push_back(gpu::bind_sampled(frame.surface_normals.view(), frame.nearest.get()));
 
     for (const ClassPipeline& p : pipelines_) {
         const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
