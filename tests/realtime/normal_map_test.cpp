@@ -144,3 +144,67 @@ TEST(NormalMap, ASteepMapNeitherShadowsNorLightsItsPlane) {
     s.lights[0].direction = glm::normalize(glm::vec3(-1.0f, -0.4f, 0.2f));
     EXPECT_EQ(mean(render(s, options("best", 48))), 0.0) << "from behind";
 }
+
+// The length of a mean is that of the normals before the scale and before they are rounded: of a map that is the same
+// everywhere it is 1, and no highlight is widened.
+TEST(NormalMap, AMapWithoutSpreadKeepsTheHighlight) {
+    scene::Scene s = tilted_wall(kPi / 6.0f, plastic(0.2f));
+    s.materials[0].normal_scale = 0.5f;
+    const float tilt = std::atan(0.5f * std::tan(kPi / 6.0f));
+    scene::Light light = sun(1000.0f);
+    light.direction = -glm::vec3(std::sin(2.0f * tilt), 0.0f, std::cos(2.0f * tilt));
+    light.casts_shadow = false;
+    s.lights = {light};
+    scene::Camera narrow = kFront;
+    narrow.yfov_rad = 0.01f;
+    const double path = mean_of_path(s, 16, narrow);
+    for (const std::uint32_t size : {1u, 32u}) {
+        const std::vector<std::uint8_t> texel = s.images[0].rgba;
+        scene::Scene tiled = s;
+        tiled.images[0] = {"tiled", size, size, {}};
+        for (std::uint32_t i = 0; i < size * size; ++i)
+            tiled.images[0].rgba.insert(tiled.images[0].rgba.end(), texel.begin(), texel.begin() + 4);
+        tiled.materials[0].normal_texture.scale = glm::vec2(4000.0f);
+        EXPECT_NEAR(mean(render(tiled, options("best", 16), narrow)), path, 0.03 * path) << size;
+    }
+}
+
+// From afar, grooves are a rougher surface: nearer to the integral than the mean normal alone.
+TEST(NormalMap, GroovesFromAfarAreRough) {
+    for (const float scale : {1.0f, 0.5f}) {
+        scene::Scene s = grooved_wall(0.4f, plastic(0.3f));
+        s.textures[0].sampler = {};
+        s.materials[0].normal_texture.scale = glm::vec2(500.0f);
+        s.materials[0].normal_scale = scale;
+        s.lights = {sun(1000.0f)};
+        scene::Camera narrow = kFront;
+        narrow.yfov_rad = 0.05f;
+        const double path = mean_of_path(s, 256, narrow);
+        const double frame = mean(render(s, options("best", 16), narrow));
+        EXPECT_LT(std::abs(std::log2(frame / path)), 1.0) << scale << ": " << frame << " against " << path;
+        realtime::RendererOptions o = integrals(64, false);
+        EXPECT_NEAR(mean(render(s, o, narrow)), path, 0.02 * path) << scale;
+    }
+}
+
+TEST(Mask, CoversAsMuchFromAfarAsItDoes) {
+    scene::Material m = grey(0.0f);
+    m.emissive_nit = glm::vec3(100.0f);
+    m.alpha_mode = scene::AlphaMode::mask;
+    scene::Scene s = scene_of(square(2.0f), m);
+    scene::Image fence{"fence", 64, 64, {}};
+    for (int i = 0; i < 64 * 64; ++i) {
+        const bool wire = i % 16 < 2 || i / 64 % 16 < 2;
+        for (const int c : {255, 255, 255, wire ? 255 : 0}) fence.rgba.push_back(static_cast<std::uint8_t>(c));
+    }
+    s.images.push_back(fence);
+    s.textures.push_back({0, {}});
+    s.materials[0].base_color_texture.texture = 0;
+    for (const float repeats : {1.0f, 4.0f, 16.0f}) {
+        s.materials[0].base_color_texture.scale = glm::vec2(repeats);
+        const double path = mean_of_path(s, 64);
+        EXPECT_GT(path, 15.0);
+        EXPECT_NEAR(mean(render(s, options("best", 16, 64))), path, 0.1 * path) << repeats;
+        EXPECT_NEAR(mean(render(s, integrals(64, false))), path, 0.03 * path) << repeats;
+    }
+}
