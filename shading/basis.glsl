@@ -32,19 +32,6 @@ FN vec3 normal_facing(vec3 n, vec3 v) {
     return NoV >= 1.0e-4f ? n : normalize(n + (1.0e-4f - NoV) * v);
 }
 
-// Whether a surface with a normal map can be lit from unit l. surface_normal: interpolated from the vertices, without the map,
-// on the viewer's side. A map turns part of the hemisphere about its normal below the surface itself: light from there
-// comes through the surface, and what would leave in such a direction meets the surface again. Neither counts, in any mode.
-FN bool above_surface(vec3 surface_normal, vec3 l) {
-    return dot(surface_normal, l) > 0.0f;
-}
-
-// Part of the cosine-weighted hemisphere about a mapped normal that is above the surface: half a unit disk and half of the
-// ellipse that the surface's horizon is projected to (Nusselt's analog). cosine: of the angle between both normals.
-FN float hemisphere_above_surface(float cosine) {
-    return 0.5f * (1.0f + clamp(cosine, -1.0f, 1.0f));
-}
-
 CANDELA_SHADING_END
 
 #endif

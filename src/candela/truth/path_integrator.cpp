@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "shading/lights/punctual.glsl"
+#include "shading/surface_side.glsl"
 
 namespace candela::truth {
 namespace {

@@ -289,7 +289,7 @@ void prepare_area_lights(inout SurfacePoint p) {
     Surface s = p.g.surface;
     // An emissive surface is a light on itself. Off it on the viewer's side, further than the depth buffer's rounding: on the
     // other side a light that shines both ways would fill the hemisphere.
-    p.position += p.g.normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
+    p.position += p.g.surface_normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
     if (kAreaSpecular == kAreaSpecularLtc) {
         p.area.ltc = ltc_inverse_matrix(textureLod(ltc_table, ltc_uv(p.NoV, s.perceptual_roughness), 0.0));
     }

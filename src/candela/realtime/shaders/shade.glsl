@@ -8,6 +8,7 @@
 #include "dfg.glsl"
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
+#include "surface_side.glsl"
 #include "../../bake/shaders/environment_maps.glsl"
 
 // The rows of the profile (C++: Profile).
