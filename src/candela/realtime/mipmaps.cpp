@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kEncodeSteps = 4096;
 /// Of the smaller of what is covered and what is not: how far a level may be off.
 constexpr float kCoverageTolerance = 0.1f;
+constexpr int kScaleSteps = 12;
 
 struct SrgbTables {
     SrgbTables() {
@@ -149,11 +150,25 @@ AlphaTexels stored_alpha(std::uint32_t width, std::uint32_t height, const std::v
 /// A level as it is stored; nothing where it cannot cover what it should.
 std::vector<std::uint8_t> encode_cutout(const Level& level, const MipOptions& options, float wanted) {
     const AlphaTexels alpha{level.width, level.height, [&](std::size_t i) { return level.texels[i].a; }};
-    const float scale = alpha_scale_for_coverage(alpha, options.cutoff, wanted);
-    std::vector<std::uint8_t> out = encode(level, options.content, scale);
-    const float covered = coverage(stored_alpha(level.width, level.height, out), options.cutoff);
-    if (std::abs(covered - wanted) > kCoverageTolerance * std::min(wanted, 1.0f - wanted)) out.clear();
-    return out;
+    const float tolerance = kCoverageTolerance * std::min(wanted, 1.0f - wanted);
+    float scale = alpha_scale_for_coverage(alpha, options.cutoff, wanted);
+    float low = 0.0f;
+    float high = 0.0f;
+    std::vector<std::uint8_t> nearest;
+    float nearest_off = tolerance;
+    // Alpha that the scale lifts above 1 is cut, which covers less between texels: a bisection on what is stored.
+    for (int step = 0; step < kScaleSteps; ++step) {
+        std::vector<std::uint8_t> out = encode(level, options.content, scale);
+        const float covered = coverage(stored_alpha(level.width, level.height, out), options.cutoff);
+        if (std::abs(covered - wanted) < nearest_off) {
+            nearest_off = std::abs(covered - wanted);
+            nearest = std::move(out);
+            if (nearest_off < 0.25f * tolerance) break;
+        }
+        (covered < wanted ? low : high) = scale;
+        scale = low > 0.0f && high > 0.0f ? std::sqrt(low * high) : covered < wanted ? 2.0f * scale : 0.5f * scale;
+    }
+    return nearest;
 }
 
 }  // namespace
