@@ -19,14 +19,40 @@ FN float alpha_filtered(float alpha, vec3 dndx, vec3 dndy) {
     return sqrt(saturate(alpha * alpha + min(2.0f * variance, kMaxFootprintAlpha2)));
 }
 
-// alpha widened by the spread of the normals behind a mip-mapped normal map's texel, which shows in the
-// length of their average in (0,1]: Frostbite section 5.3, listing 32 (von Mises-Fisher concentration from
-// the length, Banerjee et al. 2005; variance 1 / (2 kappa)). A length of 1 or more leaves alpha as it is.
-FN float alpha_from_average_normal(float alpha, float average_length) {
+// What the spread of the normals behind a mip-mapped normal map's texel adds to alpha^2, from the length of their average in
+// (0,1]: Frostbite section 5.3, listing 32 (von Mises-Fisher concentration from the length, Banerjee et al. 2005; variance
+// 1 / (2 kappa)). 0 at a length of 1 or more; at 0 the normals are all over the sphere.
+FN float variance_from_average_normal(float average_length) {
     float length2 = average_length * average_length;
     float one_minus = max((1.0f - average_length) * (1.0f + average_length), 0.0f);
-    float variance = one_minus / (2.0f * average_length * (3.0f - length2));
-    return average_length > 0.0f ? sqrt(saturate(alpha * alpha + variance)) : 1.0f;
+    return average_length > 0.0f ? one_minus / (2.0f * average_length * (3.0f - length2)) : 1.0e6f;
+}
+FN float alpha_from_average_normal(float alpha, float average_length) {
+    return sqrt(saturate(alpha * alpha + variance_from_average_normal(average_length)));
+}
+
+// How a normal map's scale, which multiplies the slopes, changes the variance of its normals about their mean, whose z is
+// normal_z before scaling. A slope m turns the normal by dm / (1 + m^2) along its tilt and by dm / sqrt(1 + m^2) across it;
+// the mean of both squares. scale^2 on a flat map (Han et al. 2007 and Toksvig 2005 scale no maps; from the geometry).
+FN float scaled_normal_variance(float normal_z, float scale) {
+    float scale2 = scale * scale;
+    float ratio = 1.0f / max(mix(scale2, 1.0f, normal_z * normal_z), 1.0e-6f);
+    return 0.5f * scale2 * (ratio * ratio + ratio);
+}
+
+// The average length is kept in 8 bits, finest near 1, where a smooth surface shows the least roughness. texel in [0,1].
+FN float average_normal_length(float texel) {
+    return 1.0f - (1.0f - texel) * (1.0f - texel);
+}
+FN float average_normal_texel(float average_length) {
+    return 1.0f - sqrt(saturate(1.0f - average_length));
+}
+
+// Perceptual roughness under a normal map: average_length and normal_z of the map itself, before `scale`.
+FN float perceptual_roughness_under_map(float perceptual_roughness, float average_length, float normal_z, float scale) {
+    float alpha = perceptual_roughness * perceptual_roughness;
+    float variance = variance_from_average_normal(average_length) * scaled_normal_variance(normal_z, scale);
+    return sqrt(sqrt(saturate(alpha * alpha + variance)));
 }
 
 FN float perceptual_roughness_from_average_normal(float perceptual_roughness, float average_length) {

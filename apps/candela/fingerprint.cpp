@@ -114,7 +114,7 @@ std::uint64_t fingerprint(const Job& job, const std::string& settings) {
     digest.add(realtime::describe(job.profile));
     digest.numbers(job.width, job.height);
     const scene::Camera& c = job.camera;
-    digest.numbers(c.world, c.projection, c.yfov_rad, c.ymag_m);
+    digest.numbers(c.world, c.projection, c.yfov_rad, c.ymag_m, c.znear_m, c.zfar_m);
     add_geometry(job.scene, digest);
     add_materials(job.scene, digest);
     add_light(job.scene, digest);

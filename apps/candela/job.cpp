@@ -8,6 +8,7 @@
 
 #include "candela/io/image_read.hpp"
 #include "candela/io/json_reader.hpp"
+#include "candela/scene/camera.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/scene/strokes.hpp"
 #include "candela/scene/world_scale.hpp"
@@ -143,6 +144,7 @@ scene::Camera with_focal(scene::Camera camera, const std::optional<float>& focal
         throw usage("an orthographic camera has no focal length: " + camera.name, "--focal-mm",
                     "--look-from x,y,z, or another --camera");
     camera.yfov_rad = scene::yfov_from_focal_mm(*focal_mm);
+    camera.aspect = 0.0f;  // the author's viewport belongs to the author's lens
     return camera;
 }
 
@@ -269,7 +271,8 @@ Job prepare(const JobOptions& options) {
     job.scene = std::move(staged.scene);
     const io::Stage& stage = staged.stage;
     set_environment(options, stage, job);
-    job.camera = choose_camera(options, stage, job);
+    job.camera = scene::fitted(choose_camera(options, stage, job),
+                               static_cast<float>(job.width) / static_cast<float>(job.height));
     scene::widen_strokes(job.scene, job.camera, job.width, job.height, options.line_width_px);
     job.exposure = choose_exposure(options, stage);
     refuse_warnings(options, job.diagnostics);

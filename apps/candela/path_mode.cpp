@@ -81,14 +81,14 @@ truth::Lens lens_of(const Job& job, const PathModeOptions& path) {
     }
     // Without a distance, on what stands in the middle of the picture.
     const truth::Geometry geometry(job.scene);
-    const truth::CameraRays rays(job.camera, 1, 1);
+    const truth::CameraRays rays(job.camera, job.width, job.height);
     truth::Hit hit;
-    const truth::Ray ray = rays.through({0.5f, 0.5f}, {0.5f, 0.5f});
+    const truth::Ray ray = rays.through(0.5f * glm::vec2(job.width, job.height), {0.5f, 0.5f});
     if (!geometry.intersect(ray, hit)) {
         throw Error(Fault::usage, "nothing in the middle of the picture to focus on", "--depth-of-field",
                     "--focus-m D");
     }
-    lens.focus_m = hit.t;
+    lens.focus_m = rays.depth_m(ray, hit.t);
     return lens;
 }
 

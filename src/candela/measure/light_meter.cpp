@@ -4,8 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "candela/scene/camera.hpp"
+
 namespace candela::measure {
 namespace {
+
+/// Nothing before a spot meter is too near for it.
+constexpr float kSpotMeterNear_m = 1e-4f;
 
 /// Large enough for single precision at the card's place, small enough to be no part of the scene.
 float hair_m(const glm::vec3& at) {
@@ -58,10 +63,13 @@ scene::Camera hold_card(scene::Scene& scene, const glm::vec3& at, const glm::vec
 scene::Camera point_spot_meter(const glm::vec3& from, const glm::vec3& towards, float field_rad) {
     scene::Camera camera = scene::look_at(from, towards, field_rad);
     camera.name = "spot meter";
+    camera.znear_m = kSpotMeterNear_m;
     return camera;
 }
 
-scene::Camera through_pixel(const scene::Camera& camera, const glm::uvec2& pixel, const glm::uvec2& size) {
+scene::Camera through_pixel(const scene::Camera& any_camera, const glm::uvec2& pixel, const glm::uvec2& size) {
+    const scene::Camera camera =
+        scene::fitted(any_camera, static_cast<float>(size.x) / static_cast<float>(size.y));
     const glm::vec2 half{camera.projection == scene::Projection::perspective
                              ? std::tan(0.5f * camera.yfov_rad)
                              : camera.ymag_m};
@@ -79,7 +87,9 @@ scene::Camera through_pixel(const scene::Camera& camera, const glm::uvec2& pixel
     }
     const glm::vec3 ray = at.x * right - at.y * up - glm::vec3(camera.world[2]);
     narrow = scene::look_at(eye, eye + ray, 2.0f * std::atan(0.5f * step / glm::length(ray)));
-    narrow.znear_m = camera.znear_m;
+    // The planes are as far along this ray as they are along it in the picture.
+    narrow.znear_m = camera.znear_m * glm::length(ray);
+    narrow.zfar_m = camera.zfar_m * glm::length(ray);
     narrow.name = camera.name;
     return narrow;
 }

@@ -54,6 +54,7 @@ inline constexpr std::uint32_t kTileSize = 8;
 inline constexpr VkFormat kGBufferFormat = VK_FORMAT_R32G32B32A32_UINT;
 inline constexpr VkFormat kUnlitFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kIdFormat = VK_FORMAT_R32G32_UINT;
+inline constexpr VkFormat kSurfaceNormalFormat = VK_FORMAT_R32_UINT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kPictureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
@@ -87,11 +88,13 @@ struct FrameResources {
     std::uint32_t shadow_kinds = 0;  ///< of shadow_kind_bits(); 0: every light shines through everything
     bool has_unlit = false;          ///< unlit colours are kept apart from light
     bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
+    bool normal_mapped = false;      ///< and the normals without maps
 
     gpu::Buffer frame_block;  ///< FrameBlock, host visible
     gpu::Image gbuffer;
-    gpu::Image layers;  ///< 1 x 1 without all_targets
-    gpu::Image ids;     ///< 1 x 1 without all_targets
+    gpu::Image layers;           ///< 1 x 1 without all_targets
+    gpu::Image ids;              ///< 1 x 1 without all_targets
+    gpu::Image surface_normals;  ///< octahedral, of the vertices alone; 1 x 1 without normal_mapped
     gpu::Image depth;
     gpu::Image light;  ///< pre-exposed; alpha: the fraction of a pixel that unlit surfaces leave
     gpu::Image
@@ -127,7 +130,7 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...24 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...25 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;

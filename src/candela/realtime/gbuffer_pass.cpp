@@ -2,6 +2,7 @@
 
 #include "candela_shaders/gbuffer_all_frag.hpp"
 #include "candela_shaders/gbuffer_frag.hpp"
+#include "candela_shaders/gbuffer_normals_frag.hpp"
 #include "candela_shaders/mesh_vert.hpp"
 
 namespace candela::realtime {
@@ -19,6 +20,10 @@ gpu::GraphicsDesc make_desc(const FrameResources& frame) {
     desc.color_formats = {kGBufferFormat};
     if (frame.all_targets)
         desc.color_formats = {kGBufferFormat, frame.light_format(), kGBufferFormat, kIdFormat};
+    if (frame.normal_mapped) {
+        desc.fragment = shaders::gbuffer_normals_frag;
+        desc.color_formats.push_back(kSurfaceNormalFormat);
+    }
     desc.blends.assign(desc.color_formats.size(), gpu::Blend::off);
     desc.depth_format = kDepthFormat;
     return desc;
@@ -42,6 +47,8 @@ void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScen
         targets.push_back({&frame.layers, gpu::Load::discard});
         targets.push_back({&frame.ids, gpu::Load::clear});
     }
+    // Shadow receivers compare neighbours, also those that no surface covers.
+    if (frame.normal_mapped) targets.push_back({&frame.surface_normals, gpu::Load::clear});
     if (scene.vertices) {
         commands.use(scene.vertices, gpu::Use::vertex_input);
         commands.use(scene.indices, gpu::Use::vertex_input);

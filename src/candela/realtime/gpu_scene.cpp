@@ -86,17 +86,19 @@ gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler) {
     return desc;
 }
 
-/// Colour slots hold sRGB-encoded texels; the others are data.
-bool is_srgb_slot(std::size_t slot, const scene::Material& m) {
-    const bool specular_glossiness = m.workflow == scene::Workflow::specular_glossiness;
-    return slot == slot_base_color || slot == slot_emissive || slot == slot_specular_color ||
-           slot == slot_sheen_color || (slot == slot_metallic_roughness && specular_glossiness);
+/// As the path tracer reads textures: the file's texels, whatever the distance.
+gpu::SamplerDesc unfiltered(const scene::Sampler& sampler) {
+    scene::Sampler level0 = sampler;
+    level0.minify = sampler.magnify;
+    level0.mip = scene::MipFilter::none;
+    return sampler_desc(level0);
 }
 
 using MipChain = std::vector<std::vector<std::uint8_t>>;
 
 gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, const scene::Image& source,
-                        bool srgb, const MipChain& levels) {
+                        const MipOptions& options, const MipChain& levels) {
+    const bool srgb = options.content == TexelContent::color;
     std::size_t bytes = 0;
     for (const auto& level : levels) bytes += level.size();
     gpu::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::upload);
@@ -117,19 +119,20 @@ gpu::Image upload_image(const gpu::Device& device, gpu::Commands& commands, cons
 
 struct ImageUse {
     const scene::Image* image;
-    bool srgb;
+    MipOptions options;
 };
 
 /// Makes mip chains ahead, one a processor, and hands them to upload(use, levels) in order.
 template <class Upload>
-void for_each_mip_chain(const std::vector<ImageUse>& uses, const Upload& upload) {
+void for_each_mip_chain(const std::vector<ImageUse>& uses, std::size_t max_levels, const Upload& upload) {
     const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
     std::deque<std::future<MipChain>> ahead;
     std::size_t started = 0;
     for (const ImageUse& use : uses) {
         for (; started < uses.size() && ahead.size() < processors; ++started) {
-            ahead.push_back(std::async(std::launch::async,
-                                       [next = uses[started]] { return mip_chain(*next.image, next.srgb); }));
+            ahead.push_back(std::async(std::launch::async, [next = uses[started], max_levels] {
+                return mip_chain(*next.image, next.options, max_levels);
+            }));
         }
         const MipChain levels = ahead.front().get();
         ahead.pop_front();
@@ -140,10 +143,10 @@ void for_each_mip_chain(const std::vector<ImageUse>& uses, const Upload& upload)
 }  // namespace
 
 GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-                   bool with_emissive)
+                   bool with_emissive, bool filtered_textures)
     : light_list(realtime::light_list(scene, with_emissive)) {
     upload_geometry(device, commands, scene);
-    upload_textures(device, commands, scene);
+    upload_textures(device, commands, scene, filtered_textures);
     upload_materials(device, commands, scene);
     upload_lights(device, commands);
     visible_shapes = static_cast<std::uint32_t>(shape_lights(light_list).size());
@@ -188,6 +191,8 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.mirrored = glm::determinant(glm::mat3(instance.world)) < 0.0f;
             any_unlit |= (draw.features & feature_unlit) != 0;
             any_blended |= draw.blended;
+            constexpr std::uint32_t mapped = feature_normal_texture | feature_clearcoat_normal_texture;
+            any_normal_mapped |= (draw.features & mapped) != 0 && (draw.features & feature_unlit) == 0;
             if (!draw.blended) {
                 any_emissive |= (draw.features & (feature_emissive | feature_unlit)) != 0;
                 any_layered |= (draw.features & feature_layered) != 0;
@@ -206,18 +211,18 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
                                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
-void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands,
-                               const scene::Scene& scene) {
-    std::vector<ImageUse> uses{{&white_image(), false}};
+void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                               bool filtered) {
+    std::vector<ImageUse> uses{{&white_image(), {}}};
     samplers_.push_back(gpu::create_sampler(device, {}));
 
-    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known_images;
+    std::map<std::pair<std::uint32_t, MipOptions>, std::uint32_t> known_images;
     std::vector<std::pair<scene::Sampler, std::uint32_t>> known_samplers;
-    const auto image_of = [&](std::uint32_t index, bool srgb) {
+    const auto image_of = [&](std::uint32_t index, const MipOptions& options) {
         if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
         const auto [entry, fresh] =
-            known_images.try_emplace({index, srgb}, static_cast<std::uint32_t>(uses.size()));
-        if (fresh) uses.push_back({&scene.images[index], srgb});
+            known_images.try_emplace({index, options}, static_cast<std::uint32_t>(uses.size()));
+        if (fresh) uses.push_back({&scene.images[index], options});
         return entry->second;
     };
     const auto sampler_of = [&](const scene::Sampler& sampler) {
@@ -225,7 +230,8 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
             if (known == sampler) return index;
         }
         const auto index = static_cast<std::uint32_t>(samplers_.size());
-        samplers_.push_back(gpu::create_sampler(device, sampler_desc(sampler)));
+        samplers_.push_back(
+            gpu::create_sampler(device, filtered ? sampler_desc(sampler) : unfiltered(sampler)));
         known_samplers.emplace_back(sampler, index);
         return index;
     };
@@ -235,13 +241,12 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
         for (std::size_t slot = 0; slot < refs.size(); ++slot) {
             if (!*refs[slot] || refs[slot]->texture >= scene.textures.size()) continue;
             const scene::Texture& texture = scene.textures[refs[slot]->texture];
-            slots[slot] = {image_of(texture.image, is_srgb_slot(slot, material)),
-                           sampler_of(texture.sampler)};
+            slots[slot] = {image_of(texture.image, mip_options(slot, material)), sampler_of(texture.sampler)};
         }
         material_textures_.push_back(slots);
     }
-    for_each_mip_chain(uses, [&](const ImageUse& use, const MipChain& levels) {
-        images_.push_back(upload_image(device, commands, *use.image, use.srgb, levels));
+    for_each_mip_chain(uses, filtered ? kAllLevels : 1, [&](const ImageUse& use, const MipChain& levels) {
+        images_.push_back(upload_image(device, commands, *use.image, use.options, levels));
     });
 }
 

@@ -73,9 +73,10 @@ struct BlendedSurface {
 /// A scene's geometry, textures, materials and lights in device memory. Lives as long as its device.
 class GpuScene {
   public:
-    /// with_emissive: emissive surfaces are lights too.
+    /// with_emissive: emissive surfaces are lights too. filtered_textures: mip maps; without them the texels
+    /// of the file are read at any distance, as an integral over the pixel wants them.
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-             bool with_emissive);
+             bool with_emissive, bool filtered_textures);
 
     /// Tells the shaders where each light's shadow is: its place in the plan by index into Scene::lights, -1:
     /// none. Submits.
@@ -96,6 +97,7 @@ class GpuScene {
     bool any_layered = false;
     bool any_unlit = false;  ///< opaque or blended
     bool any_blended = false;
+    bool any_normal_mapped = false;
 
     /// Layout of set 1: the material's uniform block and its textures.
     [[nodiscard]] static std::vector<VkDescriptorType> material_set_layout();
@@ -104,7 +106,8 @@ class GpuScene {
 
   private:
     void upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
-    void upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+    void upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                         bool filtered);
     void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
     void upload_lights(const gpu::Device& device, gpu::Commands& commands);
 

@@ -15,7 +15,8 @@ gpu::LayoutDesc layout() {
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);                        // light
     types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);                       // tiles
     types.insert(types.end(), kLightingAovs, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);  // unlit
+    types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);           // unlit
+    types.push_back(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);  // normals without maps
     return {{types}, 0};
 }
 
@@ -63,6 +64,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     use_shading_inputs(commands, frame, scene);
     commands.use(frame.gbuffer, gpu::Use::sampled);
     commands.use(frame.layers, gpu::Use::sampled);
+    commands.use(frame.surface_normals, gpu::Use::sampled);
     commands.use(frame.depth, gpu::Use::sampled);
     commands.use(frame.light, gpu::Use::storage_write);
     commands.use(frame.unlit, gpu::Use::storage_write);
@@ -78,6 +80,7 @@ void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuSce
     for (std::size_t i = 0; i < kLightingAovs; ++i)
         bindings.push_back(gpu::bind_storage(frame.aovs[i].view()));
     bindings.push_back(gpu::bind_storage(frame.unlit.view()));
+    bindings.push_back(gpu::bind_sampled(frame.surface_normals.view(), frame.nearest.get()));
 
     for (const ClassPipeline& p : pipelines_) {
         const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);

@@ -40,7 +40,9 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.has_environment = scene.environment.has_value();
     if (options.shadows.maps && !options.integrate)
         frame.shadow_kinds = shadow_kind_bits(scene, gpu_scene.light_list.emissive_shapes);
-    frame.all_targets = gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs;
+    frame.normal_mapped = gpu_scene.any_normal_mapped;
+    frame.all_targets =
+        gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs || frame.normal_mapped;
 
     const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {
         return gpu::Image(device, {needed ? options.width : 1, needed ? options.height : 1, format,
@@ -50,6 +52,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.gbuffer = image(kGBufferFormat, color, true);
     frame.layers = image(kGBufferFormat, color, frame.all_targets);
     frame.ids = image(kIdFormat, color, frame.all_targets);
+    frame.surface_normals = image(kSurfaceNormalFormat, color, frame.normal_mapped);
     frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
     frame.light = image(frame.light_format(), color | VK_IMAGE_USAGE_STORAGE_BIT, true);
     frame.has_unlit = gpu_scene.any_unlit && !options.capture;
@@ -160,7 +163,7 @@ struct Renderer::State {
         : device(&device_in),
           options(options_in),
           commands(device_in),
-          gpu_scene(device_in, commands, scene, !options_in.integrate),
+          gpu_scene(device_in, commands, scene, !options_in.integrate, !options_in.integrate),
           frame(create_frame(device_in, commands, scene, gpu_scene, options_in)),
           shadows(device_in, frame, gpu_scene, scene, options_in.shadows.atlas_texels),
           gbuffer(device_in, frame, gpu_scene),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "candela/scene/camera.hpp"
 #include "shading/basis.glsl"
 
 namespace candela::realtime {
@@ -129,7 +130,8 @@ struct Sphere {
 };
 
 /// Smallest sphere about the part of the view between two depths.
-Sphere slice_sphere(const scene::Camera& camera, float aspect, float near, float far) {
+Sphere slice_sphere(const scene::Camera& any_camera, float aspect, float near, float far) {
+    const scene::Camera camera = scene::fitted(any_camera, aspect);
     const glm::vec3 eye(camera.world[3]);
     const glm::vec3 view = -glm::normalize(glm::vec3(camera.world[2]));
     if (camera.projection == scene::Projection::orthographic) {

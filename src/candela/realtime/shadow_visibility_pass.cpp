@@ -100,12 +100,14 @@ void ShadowVisibilityPass::record(gpu::Commands& commands, FrameResources& frame
                                   std::span<const scene::Light> lights, const scene::Camera& camera) const {
     if (plan.lights.empty()) return;
     commands.begin_pass("shadow receivers");
-    commands.use(frame.gbuffer, gpu::Use::sampled);
+    // Both formats keep an octahedral normal in their first word.
+    gpu::Image& normals = frame.normal_mapped ? frame.surface_normals : frame.gbuffer;
+    commands.use(normals, gpu::Use::sampled);
     commands.use(frame.depth, gpu::Use::sampled);
     commands.use(frame.shadow_receivers, gpu::Use::storage_write);
     commands.dispatch(receivers_,
                       std::array{gpu::bind_buffer(frame.frame_block),
-                                 gpu::bind_sampled(frame.gbuffer.view(), frame.nearest.get()),
+                                 gpu::bind_sampled(normals.view(), frame.nearest.get()),
                                  gpu::bind_sampled(frame.depth.view(), frame.nearest.get()),
                                  gpu::bind_storage(frame.shadow_receivers.view())},
                       {}, frame.tiles_x, frame.tiles_y);

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "candela/scene/camera.hpp"
+
 namespace candela::scene {
 
 void Aabb::extend(const glm::vec3& p) {
@@ -97,7 +99,8 @@ Camera frame_bounds(const Aabb& bounds, float aspect) {
     return camera;
 }
 
-glm::mat4 view_projection(const Camera& camera, float aspect) {
+glm::mat4 view_projection(const Camera& any_camera, float aspect) {
+    const Camera camera = fitted(any_camera, aspect);
     glm::mat4 clip(0.0f);
     const float near = camera.znear_m;
     if (camera.projection == Projection::perspective) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "candela/scene/camera.hpp"
 #include "shading/language.glsl"
 
 namespace candela::truth {
@@ -28,9 +29,10 @@ float lens_radius_m(float yfov_rad, float aperture_f) {
 
 CameraRays::CameraRays(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                        const Lens& lens)
-    : camera_(camera), lens_(lens) {
-    const float half = camera.projection == scene::Projection::perspective ? std::tan(0.5f * camera.yfov_rad)
-                                                                           : camera.ymag_m;
+    : camera_(scene::fitted(camera, static_cast<float>(width) / static_cast<float>(height))), lens_(lens) {
+    const float half = camera_.projection == scene::Projection::perspective
+                           ? std::tan(0.5f * camera_.yfov_rad)
+                           : camera_.ymag_m;
     half_size_ = {half * static_cast<float>(width) / static_cast<float>(height), half};
     pixel_scale_ = 2.0f / glm::vec2(static_cast<float>(width), static_cast<float>(height));
 }
@@ -43,7 +45,7 @@ Ray CameraRays::through(const glm::vec2& pixel, const glm::vec2& lens_u) const {
     if (camera_.projection == scene::Projection::orthographic) {
         ray.origin += turn * glm::vec3(at, 0.0f);
         ray.direction = glm::normalize(-turn[2]);
-        return ray;
+        return clipped(ray);
     }
     glm::vec3 direction(at, -1.0f);
     if (lens_.radius_m > 0.0f) {
@@ -52,6 +54,13 @@ Ray CameraRays::through(const glm::vec2& pixel, const glm::vec2& lens_u) const {
         ray.origin += turn * on_lens;
     }
     ray.direction = glm::normalize(turn * direction);
+    return clipped(ray);
+}
+
+Ray CameraRays::clipped(Ray ray) const {
+    const float cosine = -glm::dot(ray.direction, glm::normalize(glm::vec3(camera_.world[2])));
+    ray.origin += ray.direction * (camera_.znear_m / cosine);
+    ray.t_max = (camera_.zfar_m - camera_.znear_m) / cosine;
     return ray;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "shading/lights/punctual.glsl"
+#include "shading/surface_side.glsl"
 
 namespace candela::truth {
 namespace {
@@ -28,6 +29,7 @@ glm::vec3 share(const glm::vec3& part, const glm::vec3& whole) {
 
 /// Turns normals that look away from the viewer, as both modes on the device do.
 void face_viewer(SurfacePoint& p, const glm::vec3& v) {
+    p.surface_normal = shading::normal_facing(p.surface_normal, v);
     if (glm::dot(p.normal, v) >= 1.0e-4f && glm::dot(p.coat_normal, v) >= 1.0e-4f) return;
     p.normal = shading::normal_facing(p.normal, v);
     p.coat_normal = shading::normal_facing(p.coat_normal, v);
@@ -47,6 +49,7 @@ EnvironmentLight environment_of(const scene::Scene& scene, const PathOptions& op
 /// A surface on the path, ready to be lit.
 struct PathIntegrator::Vertex {
     SurfacePoint point;
+    std::uint32_t part = 0;  ///< index into Geometry::parts()
     glm::vec3 origin{0.0f};  ///< of rays that leave it
     glm::vec3 v{0.0f};       ///< unit, towards where the path came from
     glm::vec4 dfg{0.0f};
@@ -83,8 +86,17 @@ struct PathIntegrator::Walk {
     Throughput from_surroundings;  ///< of all other light: the environment's, and what surfaces reflect
     glm::vec3 last_origin{0.0f};   ///< where light was drawn from at the last surface
     glm::vec3 last_normal{0.0f};
+    std::uint32_t last_part = 0;
+    bool below_triangle = false;  ///< the ray leaves its triangle's plane downwards
     float last_pdf = 0.0f;  ///< of the direction that the path took; 1/sr
     int bounces = 0;
+
+    /// Vertex normals leave directions in the lobe that are above the smooth surface and below the triangle
+    /// that stands for it. What such a ray meets of the same mesh is not another surface that lights this one,
+    /// as shadow rays have it too.
+    [[nodiscard]] bool meets_own_facets(const Hit& hit) const {
+        return bounces > 0 && below_triangle && hit.part == last_part;
+    }
 
     /// Light that reaches the camera by way of surfaces met so far. `direct`: it left its source towards the
     /// first.
@@ -137,6 +149,8 @@ PathIntegrator::Next PathIntegrator::next_surface(Ray& ray, Hit& hit, const Path
             return Next::surface;
         }
         ray.origin = behind(ray, hit);
+        ray.t_max -= hit.t;
+        if (ray.t_max <= 0.0f) return Next::sky;
     }
     return Next::lost;
 }
@@ -161,7 +175,7 @@ void PathIntegrator::shade(const Vertex& vertex, const shading::BsdfTechniques& 
                            glm::vec3& diffuse, glm::vec3& specular) const {
     const SurfacePoint& p = vertex.point;
     const float NoL = glm::dot(p.normal, l);
-    if (NoL <= 0.0f) {
+    if (NoL <= 0.0f || !shading::above_surface(p.surface_normal, l)) {
         diffuse = specular = glm::vec3(0.0f);
         return;
     }
@@ -346,6 +360,8 @@ bool PathIntegrator::bounce(Walk& walk, const Vertex& vertex, const PathSampler&
     walk.last_origin = vertex.origin;
     walk.last_pdf = pdf;
     walk.last_normal = p.normal;
+    walk.last_part = vertex.part;
+    walk.below_triangle = glm::dot(p.geometric_normal, l) <= 0.0f;
     ++walk.bounces;
     return true;
 }
@@ -363,14 +379,15 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
                                 : next == Next::surface ? hit.t
                                                         : 0.0f;
         if (walk.bounces == 0) {
-            if (next != Next::lost && see_shape(walk, surface_m)) break;
+            if (next != Next::lost && see_shape(walk, std::min(surface_m, camera_ray.t_max))) break;
         } else {
             add_shapes(walk, surface_m);
         }
         add_suns(walk, next == Next::sky);
         if (next == Next::sky) add_environment(walk);
-        if (next != Next::surface) break;
+        if (next != Next::surface || walk.meets_own_facets(hit)) break;
         Vertex vertex;
+        vertex.part = hit.part;
         vertex.point = surfaces_.read(walk.ray, hit);
         SurfacePoint& p = vertex.point;
         if (walk.bounces == 0) {

@@ -114,6 +114,7 @@ void SurfaceReader::read_normals(const Corners& at, const scene::Material& m, fl
         unit_or(at.blend([&](std::uint32_t i) { return at.part->normal(i); }), out.geometric_normal * facing);
     out.normal = vertex_normal * facing;
     out.coat_normal = out.normal;
+    out.surface_normal = out.normal;
     const bool mapped = m.normal_texture || (out.layered && m.clearcoat.normal_texture);
     const bool wants_tangent = mapped || m.anisotropy.strength > 0.0f;
     if (!wants_tangent || !at.part->has_tangents()) return;

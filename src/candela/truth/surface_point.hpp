@@ -14,6 +14,7 @@ struct SurfacePoint {
     /// Keeps coarse meshes free of the facets' own shadows (Hanika 2021, "Hacking the Shadow Terminator").
     glm::vec3 smooth_position{0.0f};
     glm::vec3 geometric_normal{0.0f, 1.0f, 0.0f};
+    glm::vec3 surface_normal{0.0f, 1.0f, 0.0f};  ///< interpolated from the vertices, without normal maps
     glm::vec3 normal{0.0f, 1.0f, 0.0f};
     glm::vec3 tangent{1.0f, 0.0f, 0.0f};
     glm::vec3 bitangent{0.0f, 0.0f, 1.0f};

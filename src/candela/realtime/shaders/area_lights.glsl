@@ -254,6 +254,24 @@ vec3 picture_seen(uint group, Light light, bool turned, vec3 axis, vec3 p0, vec3
 
 #include "area_highlights.glsl"
 
+// Part of the light above the surface's own plane, by its extent along the normal.
+float area_above_surface(uint group, AreaLight a, vec3 surface_normal) {
+    float height = dot(surface_normal, a.to_center_m);
+    float extent;
+    if (group == kPolygons) {
+        vec4 heights = surface_normal * mat4x3(a.outline[0], a.outline[1], a.outline[2], a.outline[3]);
+        float low = min(min(heights.x, heights.y), min(heights.z, heights.w));
+        float high = max(max(heights.x, heights.y), max(heights.z, heights.w));
+        height = 0.5 * (high + low);
+        extent = 0.5 * (high - low);
+    } else if (group == kCapsules) {
+        extent = abs(dot(surface_normal, a.right)) * a.half_width_m + a.radius_m;
+    } else {
+        extent = length(vec2(dot(surface_normal, a.outline[1]), dot(surface_normal, a.outline[2])));
+    }
+    return saturate(0.5 + 0.5 * height / max(extent, 1.0e-20));
+}
+
 void add_area_light(uint group, int kind, Light light, SurfacePoint p, inout Lit lit) {
     AreaLight a = area_light(group, kind, light, p.position);
     vec3 specular;
@@ -270,6 +288,7 @@ void add_area_light(uint group, int kind, Light light, SurfacePoint p, inout Lit
                     (lx_per_nit * p.area.under_coat *
                      evaluate_sheen(p.NoV, NoL, saturate(dot(p.g.normal, h)), p.g.surface.sheen_perceptual_roughness));
     }
+    if (kNormalMapped) a.nit *= area_above_surface(group, a, p.g.surface_normal);
     // Triangles of emissive surfaces have no shadow maps.
     if (kShadowKinds != 0u && !is_kind(kind, kLightTriangle) && max_component(a.nit) > 0.0) {
         a.nit *= light_visibility(light, p.position, p.facet, normalize(a.to_center_m), p.pixel);
@@ -283,7 +302,7 @@ void prepare_area_lights(inout SurfacePoint p) {
     Surface s = p.g.surface;
     // An emissive surface is a light on itself. Off it on the viewer's side, further than the depth buffer's rounding: on the
     // other side a light that shines both ways would fill the hemisphere.
-    p.position += p.g.normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
+    p.position += p.g.surface_normal * (1.0e-5 * distance(p.position, frame.camera_position.xyz));
     if (kAreaSpecular == kAreaSpecularLtc) {
         p.area.ltc = ltc_inverse_matrix(textureLod(ltc_table, ltc_uv(p.NoV, s.perceptual_roughness), 0.0));
     }

@@ -11,7 +11,7 @@
 #include "shade.glsl"
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel) {
-    vec3 facet = g.normal;
+    vec3 facet = g.surface_normal;
     if (kShadowKinds != 0u) {
         vec3 across = cross(dFdx(position), dFdy(position));
         float area2 = dot(across, across);

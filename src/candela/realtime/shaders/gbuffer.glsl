@@ -17,6 +17,7 @@ const uint kEmitterMark = 0xffffffffu;
 struct GBuffer {
     uint shading_class;
     vec3 normal;
+    vec3 surface_normal;  // interpolated from the vertices, without normal maps
     float occlusion;
     Surface surface;
     vec3 coat_normal;
@@ -76,6 +77,7 @@ GBuffer unpack_gbuffer(uvec4 w) {
     GBuffer g;
     g.shading_class = w.z >> 28u;
     g.normal = octahedral_decode(unpackSnorm2x16(w.x));
+    g.surface_normal = g.normal;
     g.surface.base_color = unpack_color10(w.y);
     g.surface.perceptual_roughness = from_unorm(bits(w.z, 0, 12), 12u);
     g.surface.metallic = from_unorm(bits(w.z, 12, 10), 10u);

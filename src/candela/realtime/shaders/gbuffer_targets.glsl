@@ -1,5 +1,5 @@
-// The G-buffer pass's fragment shader. With GBUFFER_ALL_TARGETS it also writes emission, the second texel and the ids;
-// scenes that need none of them rasterize into one target.
+// The G-buffer pass's fragment shader. With GBUFFER_ALL_TARGETS it also writes emission, the second texel and the ids, with
+// GBUFFER_SURFACE_NORMALS the normals without maps; scenes that need none of them rasterize into one target.
 #include "frame.glsl"
 #include "material.glsl"
 
@@ -16,6 +16,9 @@ layout(location = 1) out vec4 out_light;
 layout(location = 2) out uvec4 out_layers;
 layout(location = 3) out uvec2 out_ids;
 #endif
+#ifdef GBUFFER_SURFACE_NORMALS
+layout(location = 4) out uint out_surface_normal;
+#endif
 
 void main() {
     vec4 base_alpha = base_color_and_alpha();
@@ -29,5 +32,8 @@ void main() {
     out_light = vec4(has(kUnlit) ? base_alpha.rgb : pre_exposed(emissive_nit), 1.0);
     out_layers = has(kLayered) ? pack_layers(g) : uvec4(0u);
     out_ids = object.ids.xy;
+#endif
+#ifdef GBUFFER_SURFACE_NORMALS
+    out_surface_normal = packSnorm2x16(octahedral_encode(g.surface_normal));
 #endif
 }

@@ -93,7 +93,7 @@ Receiver receiver(SurfacePoint p) {
     Receiver r;
     r.p = p;
     if (kCastsRays) {
-        r.rays = ray_origins(p.position, p.v, p.g.normal);
+        r.rays = ray_origins(p.position, p.v, p.g.surface_normal);
         r.p.position = r.rays.position;
     }
     GBuffer g = p.g;

@@ -24,6 +24,7 @@ layout(set = 0, binding = kShadingBindings + 7, rgba32f) writeonly uniform image
 layout(set = 0, binding = kShadingBindings + 8, rgba32f) writeonly uniform image2D indirect_specular_image;
 layout(set = 0, binding = kShadingBindings + 9, rgba32f) writeonly uniform image2D emissive_image;
 layout(set = 0, binding = kShadingBindings + 10, rgba16f) writeonly uniform image2D unlit_image;
+layout(set = 0, binding = kShadingBindings + 11) uniform usampler2D surface_normal_image;
 
 Lit light_surface(GBuffer g, vec3 position, vec3 v, uvec2 pixel);
 
@@ -89,6 +90,9 @@ void main() {
     }
 
     GBuffer g = unpack_gbuffer(words);
+    if (kNormalMapped) {
+        g.surface_normal = octahedral_decode(unpackSnorm2x16(texelFetch(surface_normal_image, pixel, 0).x));
+    }
     if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
     vec3 position = kNeedsPosition ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
     Lit lit = light_surface(g, position, -normalize(pixel_ray(pixel)), uvec2(pixel));

@@ -9,10 +9,18 @@
 layout(location = 0) in vec3 in_normal;
 layout(location = 1) in vec4 in_tangent;
 
-// Mip-mapping shortens averaged normals; their length says how much roughness was lost (Frostbite 5.3).
-vec3 tangent_space_normal(sampler2D map, vec2 uv, float scale) {
-    vec3 n = texture(map, uv).xyz * 2.0 - 1.0;
-    return vec3(n.xy * scale, n.z);
+// A texel of a normal map: its unit normal before and after the scale, and the length of the average that mip-mapping made it
+// from (C++: mip_chain), which says how much roughness was lost (Frostbite 5.3).
+struct MappedNormal {
+    vec3 scaled;
+    float z;
+    float average_length;
+};
+MappedNormal mapped_normal(vec4 texel, float scale) {
+    vec3 n = texel.xyz * 2.0 - 1.0;
+    vec3 scaled = vec3(n.xy * scale, n.z);
+    return MappedNormal(scaled * inversesqrt(max(dot(scaled, scaled), 1e-12)),
+                        n.z * inversesqrt(max(dot(n, n), 1e-12)), average_normal_length(texel.a));
 }
 
 // The material at this fragment. `facing` is +1 on front faces; derivatives must be defined here.
@@ -23,10 +31,11 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
     vec3 tangent = in_tangent.xyz;
     vec3 bitangent = in_tangent.w * cross(in_normal, in_tangent.xyz) * facing;
     g.normal = vertex_normal;
-    float normal_length = 1.0;
+    g.surface_normal = vertex_normal;
+    MappedNormal mapped = MappedNormal(vec3(0.0, 0.0, 1.0), 1.0, 1.0);
     if (has(kNormalTexture)) {
-        vec3 t = tangent_space_normal(normal_map, slot_uv(2), material.metallic_roughness.z);
-        normal_length = min(length(t), 1.0);
+        mapped = mapped_normal(texture(normal_map, slot_uv(2)), material.metallic_roughness.z);
+        vec3 t = mapped.scaled;
         g.normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
     }
 
@@ -86,8 +95,12 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
             s.coat_perceptual_roughness *= texture(clearcoat_roughness_map, slot_uv(8)).g;
         }
         if (has(kClearcoatNormalTexture)) {
-            vec3 t = tangent_space_normal(clearcoat_normal_map, slot_uv(9), material.clearcoat_anisotropy.z);
+            float scale = material.clearcoat_anisotropy.z;
+            MappedNormal coat = mapped_normal(texture(clearcoat_normal_map, slot_uv(9)), scale);
+            vec3 t = coat.scaled;
             g.coat_normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
+            s.coat_perceptual_roughness =
+                perceptual_roughness_under_map(s.coat_perceptual_roughness, coat.average_length, coat.z, scale);
         }
         s.sheen_color = material.sheen.rgb;
         if (has(kSheenColorTexture)) s.sheen_color *= texture(sheen_color_map, slot_uv(10)).rgb;
@@ -109,7 +122,8 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
     }
 
     if (has(kNormalTexture)) {
-        s.perceptual_roughness = perceptual_roughness_from_average_normal(s.perceptual_roughness, normal_length);
+        s.perceptual_roughness = perceptual_roughness_under_map(s.perceptual_roughness, mapped.average_length, mapped.z,
+                                                                material.metallic_roughness.z);
     }
     if (kSpecularAa != 0) {
         float pixels = frame.exposure.z;

@@ -9,6 +9,7 @@
 #include "dominant_direction.glsl"
 #include "occlusion.glsl"
 #include "spherical_gaussian_lobe.glsl"
+#include "surface_side.glsl"
 #include "../../bake/shaders/environment_maps.glsl"
 
 // The rows of the profile (C++: Profile).
@@ -29,6 +30,7 @@ layout(constant_id = 18) const int kAreaSpecular = 0;
 layout(constant_id = 21) const int kIrradiance = 0;
 layout(constant_id = 23) const int kSunSpecular = 0;
 layout(constant_id = 24) const int kAreaDirection = 0;
+layout(constant_id = 25) const bool kNormalMapped = false;  // some surface of the scene
 const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgTable = 0;
@@ -96,6 +98,7 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
     SurfacePoint p;
     p.g = g;
     p.g.normal = normal_facing(g.normal, v);
+    p.g.surface_normal = kNormalMapped ? normal_facing(g.surface_normal, v) : p.g.normal;
     if (kShadeLayers) {
         p.g.coat_normal = normal_facing(g.coat_normal, v);
         vec3 across = g.tangent - p.g.normal * dot(p.g.normal, g.tangent);
@@ -115,6 +118,10 @@ SurfacePoint surface_point(GBuffer g, vec3 position, vec3 v) {
 // Diffuse and specular part of the BSDF in 1/sr towards unit l, without the cosine. t: techniques(), or image_based_form() of
 // them where the light is none of the scene's.
 void evaluate(SurfacePoint p, BsdfTechniques t, vec3 l, float NoL, out vec3 diffuse, out vec3 specular) {
+    if (kNormalMapped && !above_surface(p.g.surface_normal, l)) {
+        diffuse = specular = vec3(0.0);
+        return;
+    }
     if (kShadeLayers) {
         evaluate_layered(p.g.surface, t, p.g.normal, p.g.tangent, p.bitangent, p.g.coat_normal, p.v, l, p.dfg,
                          diffuse, specular);
@@ -194,6 +201,10 @@ void add_environment(SurfacePoint p, inout Lit lit) {
         bool whole = kShadeLayers && g.surface.anisotropy > 0.0;
         radiance = local_reflection(p, g.normal, NoV, g.surface.perceptual_roughness, base_fresnel_share(p), radiance, whole);
     }
+    if (kNormalMapped) {
+        irradiance_over_pi *= hemisphere_above_surface(dot(g.normal, g.surface_normal));
+        radiance *= lobe_above_surface(2.0 * NoV * g.normal - v, g.surface_normal, alpha);
+    }
     if (kDfg == kDfgFullyRough) {
         lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
         return;
@@ -210,6 +221,10 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     if (kLocalLight != 0u) {
         coat_radiance = local_reflection(p, g.coat_normal, coat_NoV, g.surface.coat_perceptual_roughness, 0.0, coat_radiance,
                                         false);
+    }
+    if (kNormalMapped) {
+        float coat_alpha = alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness);
+        coat_radiance *= lobe_above_surface(2.0 * coat_NoV * g.coat_normal - v, g.surface_normal, coat_alpha);
     }
     vec3 sheen = environment_sheen(p, irradiance_over_pi);
     if (kLocalLight != 0u && kReflection >= kReflectionFitted && max_component(g.surface.sheen_color) > 0.0) {

@@ -6,7 +6,8 @@
 #include "shadow_receivers.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 1) uniform usampler2D gbuffer_image;
+// In x the octahedral normal of the vertices, without normal maps: the G-buffer's where no surface has one.
+layout(set = 0, binding = 1) uniform usampler2D normal_image;
 layout(set = 0, binding = 2) uniform sampler2D depth_image;
 layout(set = 0, binding = 3, rgba32ui) writeonly uniform uimage2D receiver_image;
 
@@ -29,7 +30,7 @@ vec3 point_at(vec4 place, float depth) {
 }
 float depth_at(ivec2 pixel) { return texelFetch(depth_image, clamp(pixel, ivec2(0), frame.size.xy - 1), 0).r; }
 
-// Way to the neighbour pixel along `step` or against it, whichever lies flatter on the shading normal's plane: that one is
+// Way to the neighbour pixel along `step` or against it, whichever lies flatter on the plane of the vertices' normal: that one is
 // likely on the same facet. Outside the picture there is none.
 vec3 way_along(ivec2 pixel, ivec2 step, vec4 place, vec4 place_step, vec3 position, vec3 n, out ivec2 neighbour) {
     ivec2 after = pixel + step;
@@ -47,15 +48,15 @@ vec3 way_along(ivec2 pixel, ivec2 step, vec4 place, vec4 place_step, vec3 positi
     return use_forward ? forward : backward;
 }
 
-// How far the shading normal of a neighbour is turned from n, as a length between unit normals.
+// How far the vertices' normal at a neighbour is turned from n, as a length between unit normals.
 float turn_to(ivec2 neighbour, vec3 n) {
-    return distance(octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, neighbour, 0).x)), n);
+    return distance(octahedral_decode(unpackSnorm2x16(texelFetch(normal_image, neighbour, 0).x)), n);
 }
 
 // The facet that the pixel shows, from the depth about it: its normal, and as far as it stands for a smooth surface how
 // high its neighbours may rise above it. At an edge the normal is uncertain by the angle between facet and smooth
 // surface, and a neighbour as long as twice that angle times the radius of curvature. Where there is no facet, as on a
-// blade of grass, the shading normal must do.
+// blade of grass, the vertices' normal must do.
 vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     vec3 v = view_direction(position);
     ivec2 right;
@@ -91,7 +92,7 @@ vec4 facet_at(ivec2 pixel, vec4 place, vec3 position, vec3 n) {
     // At a silhouette the neighbours tell little of the facet.
     if (lean > kMostLean && dot(n, v) < 0.35) across = n;
     lean = min(lean, kMostLean);
-    // 1/m: how fast the shading normal turns on the way to the neighbours.
+    // 1/m: how fast the vertices' normal turns on the way to the neighbours.
     float bend = max(turn_right / right_m, turn_down / down_m);
     // A neighbour far away is of another surface, and tells nothing of how this one bends.
     if (pixel_m > 0.0 && max(right_m, down_m) > 8.0 * pixel_m) bend = right_m < down_m ? turn_right / right_m : turn_down / down_m;
@@ -105,7 +106,7 @@ void main() {
     vec2 ndc = (vec2(pixel) + 0.5) * (2.0 / vec2(frame.size.xy)) - 1.0;
     vec4 place = frame.clip_to_world[0] * ndc.x + frame.clip_to_world[1] * ndc.y + frame.clip_to_world[3];
     vec3 position = depth > 0.0 ? point_at(place, depth) : vec3(0.0);
-    vec3 n = octahedral_decode(unpackSnorm2x16(texelFetch(gbuffer_image, pixel, 0).x));
+    vec3 n = octahedral_decode(unpackSnorm2x16(texelFetch(normal_image, pixel, 0).x));
     if (dot(n, view_direction(position)) < 0.0) n = -n;
     uvec4 receiver = depth > 0.0 ? pack_receiver(position, facet_at(pixel, place, position, n)) : kNoReceiver;
     imageStore(receiver_image, pixel, receiver);
