@@ -160,7 +160,7 @@ TEST(Messages, TexelsThatAreNoLuminanceAreCounted) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(
         outcome.err.find(
-            "negative luminance became 0, in 3 of 32 texels, the least -2.5; the up-facing illuminance is "),
+            "negative luminance became 0, in 3 of 32 texels, the least -2.5; the up-facing illuminance "),
         std::string::npos)
         << outcome.err;
     EXPECT_NE(outcome.err.find("not a number became 0, in 1 of 32 texels"), std::string::npos) << outcome.err;
