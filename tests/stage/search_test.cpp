@@ -128,7 +128,7 @@ TEST(Printable, SendsNoControlCharactersAndNoBrokenTextToTheTerminal) {
 TEST(NearestName, IsNearOrLonger) {
     const std::vector<std::string> known{"--device", "--size", "--tonemap", "power_lm", "intensity_cd"};
     EXPECT_EQ(io::nearest_name("--sise", known), "--size");
-    EXPECT_EQ(io::nearest_name("--tonampe", known), "--tonemap");
+    EXPECT_EQ(io::nearest_name("--tonempa", known), "--tonemap");
     EXPECT_EQ(io::nearest_name("--denoise", known), "");
     EXPECT_EQ(io::nearest_name("power", known), "power_lm");
 }

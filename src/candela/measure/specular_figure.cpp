@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "candela/measure/dfg_lookup.hpp"
-#include "candela/measure/flip_panel.hpp"
 #include "candela/measure/flip_rgb.hpp"
 #include "candela/measure/spheres.hpp"
 #include "shading/basis.glsl"
@@ -85,12 +84,6 @@ void add_specular_figure(Findings& out, const std::string& title, const std::vec
     const std::vector<SpecularTechnique> known = specular_techniques(columns.front().light.shape);
     const Panel reference = draw_row(columns, truth);
     Panel picture{title, "From above: ", 0, 0, {}, 2};
-    Panel maps{title + ": FLIP",
-               "Of each technique against the truth, in the same order, black 0, pale yellow 1.",
-               0,
-               0,
-               {},
-               2};
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const auto technique = std::find_if(known.begin(), known.end(),
                                             [&](const SpecularTechnique& t) { return t.label == labels[i]; });
@@ -102,12 +95,10 @@ void add_specular_figure(Findings& out, const std::string& title, const std::vec
                                        flip_at_most[i]));
         picture.caption += labels[i] + ", ";
         append_below(picture, row);
-        append_below(maps, flip_panel(row, reference));
     }
     picture.caption += "truth.";
     append_below(picture, reference);
     out.pictures.push_back(std::move(picture));
-    out.pictures.push_back(std::move(maps));
 }
 
 }  // namespace candela::measure
