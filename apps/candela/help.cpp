@@ -23,8 +23,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_groups() {
     static const std::map<std::string, std::vector<std::string>> groups{
         {kWhat,
          {"--stage", "--search", "--time", "--animation", "--variant", "--units", "--line-width", "--strict",
-          "--line-width", "--at", "--normal", "--pixel", "--from", "--towards", "--field-deg", "--only",
-          "--list"}},
+          "--at", "--normal", "--pixel", "--from", "--towards", "--field-deg", "--only", "--list"}},
         {kLight, {"--shadows", "--furnace", "--direct-only", "--max-bounces", "--emissive-scale"}},
         {kCamera,
          {"--size", "--width", "--height", "--camera", "--look-from", "--look-at", "--focal-mm", "--aperture",
