@@ -26,21 +26,22 @@ float luminance(const glm::vec4& texel) {
 /// Of the map that peaks are looked for in.
 constexpr std::uint32_t kPeakMapWidth = 2048;
 
-/// Two texels each way become one; texel(x, y) is of a map of twice the size of `to`, which comes without
-/// texels.
+/// Two texels each way of a map of this size become one; texel(x, y) is of that map.
 template <class Texel>
-void halve_into(EquirectLight& to, const Texel& texel) {
+glm::vec4 halved_texel(std::uint32_t width, std::uint32_t height, std::uint32_t x, std::uint32_t y,
+                       const Texel& texel) {
+    const float upper = shading::equirect_texel_solid_angle(2 * y, width, height);
+    const float lower = shading::equirect_texel_solid_angle(2 * y + 1, width, height);
+    return ((texel(2 * x, 2 * y) + texel(2 * x + 1, 2 * y)) * upper +
+            (texel(2 * x, 2 * y + 1) + texel(2 * x + 1, 2 * y + 1)) * lower) /
+           (2.0f * (upper + lower));
+}
+
+template <class Texel>
+void fill(EquirectLight& to, const Texel& texel) {
     to.texels.resize(std::size_t{to.width} * to.height);
     tbb::parallel_for(0u, to.height, [&](std::uint32_t y) {
-        const std::uint32_t width = 2 * to.width, height = 2 * to.height;
-        const float upper = shading::equirect_texel_solid_angle(2 * y, width, height);
-        const float lower = shading::equirect_texel_solid_angle(2 * y + 1, width, height);
-        glm::vec4* out = to.texels.data() + std::size_t{y} * to.width;
-        for (std::uint32_t x = 0; x < to.width; ++x) {
-            out[x] = ((texel(2 * x, 2 * y) + texel(2 * x + 1, 2 * y)) * upper +
-                      (texel(2 * x, 2 * y + 1) + texel(2 * x + 1, 2 * y + 1)) * lower) /
-                     (2.0f * (upper + lower));
-        }
+        for (std::uint32_t x = 0; x < to.width; ++x) to.texels[std::size_t{y} * to.width + x] = texel(x, y);
     });
 }
 
@@ -50,9 +51,21 @@ EquirectLight halve(const EquirectLight& from) {
     to.height = from.height / 2;
     to.rotation_rad = from.rotation_rad;
     to.peaks = from.peaks;
-    halve_into(
-        to, [&](std::uint32_t x, std::uint32_t y) { return from.texels[std::size_t{y} * from.width + x]; });
+    fill(to, [&](std::uint32_t x, std::uint32_t y) {
+        return halved_texel(from.width, from.height, x, y, [&](std::uint32_t u, std::uint32_t v) {
+            return from.texels[std::size_t{v} * from.width + u];
+        });
+    });
     return to;
+}
+
+/// The picture after so many halvings, without a copy of it at any larger size.
+glm::vec4 reduced_texel(const scene::Environment& e, float scale, int halvings, std::uint32_t x,
+                        std::uint32_t y) {
+    if (halvings == 0) return {e.luminance_nit[std::size_t{y} * e.width + x] * scale, 0.0f};
+    return halved_texel(
+        e.width >> (halvings - 1), e.height >> (halvings - 1), x, y,
+        [&](std::uint32_t u, std::uint32_t v) { return reduced_texel(e, scale, halvings - 1, u, v); });
 }
 
 /// The luminance that no texel may pass: what only kMostPeaks pass, or kPeakOverMean times the mean.
@@ -169,27 +182,14 @@ EquirectLight equirect_light(const scene::Environment& environment, float scale,
     const auto halves = [&light](std::uint32_t width) {
         return light.width > width && light.width % 2 == 0 && light.height % 2 == 0;
     };
-    const auto halve_to = [&](std::uint32_t width) {
-        while (halves(width)) light = halve(light);
-    };
-    const auto scaled = [&](std::uint32_t x, std::uint32_t y) {
-        return glm::vec4(environment.luminance_nit[std::size_t{y} * environment.width + x] * scale, 0.0f);
-    };
     // Peaks where they are, however small the map is made.
     const std::uint32_t peak_width = std::max(largest_width, kPeakMapWidth);
-    if (halves(peak_width)) {
-        // At once, so that a large picture is not copied at its full size.
-        light.width /= 2;
-        light.height /= 2;
-        halve_into(light, scaled);
-    } else {
-        light.texels.resize(environment.luminance_nit.size());
-        std::transform(environment.luminance_nit.begin(), environment.luminance_nit.end(),
-                       light.texels.begin(), [&](const glm::vec3& t) { return glm::vec4(t * scale, 0.0f); });
-    }
-    halve_to(peak_width);
+    int halvings = 0;
+    for (; halves(peak_width); ++halvings) light.width /= 2, light.height /= 2;
+    fill(light,
+         [&](std::uint32_t x, std::uint32_t y) { return reduced_texel(environment, scale, halvings, x, y); });
     take_peaks(light);
-    halve_to(largest_width);
+    while (halves(largest_width)) light = halve(light);
     light.lowest = light.highest = light.texels.front();
     for (const glm::vec4& texel : light.texels) {
         light.lowest = glm::min(light.lowest, texel);
