@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxBufferBytes = (std::size_t{1} << 32) - 1;
 /// What a scene may take before its files have to justify it, and how much each byte of them justifies: a
 /// normalized byte becomes a float, vertices are shared by primitives and split at seams.
-constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kFreeBytes = std::uint64_t{1} << 29;
 constexpr std::uint64_t kBytesPerFileByte = 64;
 
 /// "2.1" as 2 and 1; nullopt for what is no version.

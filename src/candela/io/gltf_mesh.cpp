@@ -313,7 +313,9 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, Acce
                                     : "a primitive without triangles: skipped");
         return std::nullopt;
     }
-    const Vertices vertices{positions->count, compact(p.indices, positions->count)};
+    Vertices vertices{positions->count, {}};
+    if (attributes.draco() || source["indices"].exists())
+        vertices.used = compact(p.indices, positions->count);
     document.charge(vertices.size() * kVertexBytes, source);
     p.positions = as_vec3(*positions, attributes.where("POSITION"), vertices.used);
     if (!all_finite(p.positions)) {
