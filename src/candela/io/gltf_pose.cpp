@@ -77,6 +77,7 @@ void normalize(scene::Primitive& p) {
 scene::Primitive pose(const SourcePrimitive& source, const std::vector<float>& weights,
                       const std::vector<glm::dmat4>& joints) {
     scene::Primitive p = source.primitive;
+    p.bounds = {};  // of the vertices as they are in the file
     morph(source, weights, p);
     if (!joints.empty()) skin(source, joints, p);
     normalize(p);
