@@ -44,6 +44,16 @@ GltfBuilder textured() {
     return b;
 }
 
+/// PNG specification, annex D.
+std::uint32_t png_crc(std::span<const std::byte> bytes) {
+    std::uint32_t crc = 0xffffffffu;
+    for (const std::byte b : bytes) {
+        crc ^= std::to_integer<std::uint32_t>(b);
+        for (int k = 0; k < 8; ++k) crc = (crc & 1) != 0 ? 0xedb88320u ^ (crc >> 1) : crc >> 1;
+    }
+    return ~crc;
+}
+
 using Damage = std::function<void(GltfBuilder&)>;
 using Check = std::function<void(const scene::Scene&)>;
 
@@ -78,7 +88,7 @@ Slip picture_at(const char* name, const char* warning, const std::string& uri, c
             },
             [=](const scene::Scene& s) {
                 EXPECT_EQ(static_cast<bool>(s.materials.at(0).base_color_texture), drawn);
-                if (drawn) EXPECT_EQ(s.images.at(0).width, 2u);
+                EXPECT_EQ(s.images.at(0).width, drawn ? 2u : 0u);
             }};
 }
 
@@ -122,8 +132,7 @@ const Check kFirstDefault = [](const scene::Scene& s) { EXPECT_EQ(s.materials.ba
 
 std::vector<Slip> textures() {
     return {
-        picture_at("MissingTexture", "/images/0/uri: no such file: drawn without this texture", "gone.png",
-                   "other/there.png", false),
+        picture_at("MissingTexture", "/images/0: ", "gone.png", "other/there.png", false),
         patched("BrokenTexture", "/bufferViews/5/byteLength", 40, "/images/0", kWithoutTexture),
         damaged(
             "OversizedTexture", "too large: 100000 x 100000: drawn without this texture",
@@ -133,6 +142,9 @@ std::vector<Slip> textures() {
                     b.binary[at + i] = std::byte{0}, b.binary[at + i + 1] = std::byte{1};
                     b.binary[at + i + 2] = std::byte{0x86}, b.binary[at + i + 3] = std::byte{0xa0};
                 }
+                const std::uint32_t crc = png_crc(std::span(b.binary).subspan(at + 12, 17));
+                for (std::size_t i = 0; i < 4; ++i)
+                    b.binary[at + 29 + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
             },
             kWithoutTexture),
         patched("UnknownPicture", "/images/0", {{"uri", "data:image/gif;base64,R0lGODlh"}},
@@ -300,10 +312,10 @@ std::vector<Slip> nodes() {
 }
 
 std::vector<Slip> files() {
-    const auto vertices = [](const char* name, const char* attribute, const json& value,
+    const auto vertices = [](const char* name, const std::string& attribute, const json& value,
                              const char* warning) {
-        return patched(name, (std::string("/meshes/0/primitives/0/attributes/") + attribute).c_str(), value,
-                       warning);
+        return damaged(name, warning,
+                       [=](GltfBuilder& b) { primitive_of(b)["attributes"][attribute] = value; });
     };
     const auto container = [](const char* name, const char* warning,
                               const std::function<std::string(std::string)>& damage) {

@@ -122,8 +122,10 @@ class GltfDocument {
             read();
         } catch (const Error& error) {
             if (error.fault() != Fault::input || out_of_memory_) throw;
-            const std::string& where = error.where().empty() ? view.where() : error.where();
-            warnings_.warn_at(where, std::string(error.what()) + ": " + repair);
+            // An error about another file says which; the place is where the scene names it.
+            const bool here = error.where().starts_with(name_);
+            const std::string file = here || error.where().empty() ? "" : error.where() + ": ";
+            warnings_.warn_at(here ? error.where() : view.where(), file + error.what() + ": " + repair);
         }
     }
 

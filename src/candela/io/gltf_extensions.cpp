@@ -82,8 +82,8 @@ void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
         const std::string name = list[i].string_or("");
         if (supported_extensions().contains(name)) continue;
         if (!can_be_left_out(name)) list[i].fail("the scene requires " + name + ", which is not supported");
-        if (required.insert(name).second && required.size() <= most_named)
-            diagnostics.warn("the scene requires " + name + ", which is not supported: drawn without it");
+        required.insert(name);
+        list[i].repaired("the scene requires " + name + ", which is not supported: drawn without it");
     }
     std::set<std::string> unknown;
     const JsonView used = document.array("extensionsUsed");
