@@ -11,7 +11,8 @@ namespace candela::app {
 void arrange_help(CLI::App& app);
 
 /// "help render" as "render --help", "help" as "--help"; anything else as it is. Without the program's name.
-[[nodiscard]] std::vector<std::string> without_help_command(const CLI::App& app, std::vector<std::string> arguments);
+[[nodiscard]] std::vector<std::string> without_help_command(const CLI::App& app,
+                                                            std::vector<std::string> arguments);
 
 /// What to say beside an unknown option: where another program's name for it leads ("--fov" to --focal-mm),
 /// else the nearest of the known ones, else nothing. `known` are "--" names.

@@ -55,7 +55,8 @@ float length_of(const std::uint8_t* texel) {
 
 }  // namespace
 
-// Fences, leaves and nets: what is there stays there, and what is open stays open, at every level that there is.
+// Fences, leaves and nets: what is there stays there, and what is open stays open, at every level that there
+// is.
 TEST(Mipmaps, MasksCoverAsMuchAtEveryLevel) {
     constexpr std::uint32_t size = 128;
     const auto wires = image(size, size, [](auto x, auto y) { return with_alpha(x % 16 < 2 || y % 32 < 2); });

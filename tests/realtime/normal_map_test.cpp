@@ -145,8 +145,8 @@ TEST(NormalMap, ASteepMapNeitherShadowsNorLightsItsPlane) {
     EXPECT_EQ(mean(render(s, options("best", 48))), 0.0) << "from behind";
 }
 
-// The length of a mean is that of the normals before the scale and before they are rounded: of a map that is the same
-// everywhere it is 1, and no highlight is widened.
+// The length of a mean is that of the normals before the scale and before they are rounded: of a map that is
+// the same everywhere it is 1, and no highlight is widened.
 TEST(NormalMap, AMapWithoutSpreadKeepsTheHighlight) {
     scene::Scene s = tilted_wall(kPi / 6.0f, plastic(0.2f));
     s.materials[0].normal_scale = 0.5f;
@@ -195,7 +195,8 @@ TEST(Mask, CoversAsMuchFromAfarAsItDoes) {
     scene::Image fence{"fence", 64, 64, {}};
     for (int i = 0; i < 64 * 64; ++i) {
         const bool wire = i % 16 < 2 || i / 64 % 16 < 2;
-        for (const int c : {255, 255, 255, wire ? 255 : 0}) fence.rgba.push_back(static_cast<std::uint8_t>(c));
+        for (const int c : {255, 255, 255, wire ? 255 : 0})
+            fence.rgba.push_back(static_cast<std::uint8_t>(c));
     }
     s.images.push_back(fence);
     s.textures.push_back({0, {}});

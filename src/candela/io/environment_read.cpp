@@ -274,7 +274,7 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
                 {}};
     throw input_error(
         not_a("a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", kind_of_file(file)), where,
-                      "an environment holds luminance in cd/m^2");
+        "an environment holds luminance in cd/m^2");
 }
 
 CubeMap read_faces(const detail::FaceFiles& files, const EnvironmentOptions& options, bool& absolute,

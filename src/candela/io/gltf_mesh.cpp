@@ -99,8 +99,8 @@ std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& in, std
     return out;
 }
 
-/// Strips, loops and fans as lists (glTF 2.0, 3.7.2.1). What refers to a vertex that is not there is left out; in
-/// a strip or fan of triangles another one starts behind such an index.
+/// Strips, loops and fans as lists (glTF 2.0, 3.7.2.1). What refers to a vertex that is not there is left
+/// out; in a strip or fan of triangles another one starts behind such an index.
 std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& in, std::uint64_t mode,
                                    std::size_t vertices) {
     if (mode == kPoints) {

@@ -67,7 +67,8 @@ scene::Camera point_spot_meter(const glm::vec3& from, const glm::vec3& towards, 
     return camera;
 }
 
-scene::Camera through_pixel(const scene::Camera& any_camera, const glm::uvec2& pixel, const glm::uvec2& size) {
+scene::Camera through_pixel(const scene::Camera& any_camera, const glm::uvec2& pixel,
+                            const glm::uvec2& size) {
     const scene::Camera camera =
         scene::fitted(any_camera, static_cast<float>(size.x) / static_cast<float>(size.y));
     const glm::vec2 half{camera.projection == scene::Projection::perspective

@@ -17,8 +17,8 @@ struct Lens {
 class CameraRays {
   public:
     CameraRays(const scene::Camera& camera, std::uint32_t width, std::uint32_t height, const Lens& lens = {});
-    /// pixel: position in the picture in pixels, (0, 0) at its upper left corner. lens_u in [0,1)^2. The ray starts on
-    /// the near plane and ends on the far plane.
+    /// pixel: position in the picture in pixels, (0, 0) at its upper left corner. lens_u in [0,1)^2. The ray
+    /// starts on the near plane and ends on the far plane.
     [[nodiscard]] Ray through(const glm::vec2& pixel, const glm::vec2& lens_u) const;
     /// Distance in m of a point of a ray from the camera's plane: the depth that the real-time frame shows.
     [[nodiscard]] float depth_m(const Ray& ray, float distance_m) const;

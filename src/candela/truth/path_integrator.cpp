@@ -88,12 +88,12 @@ struct PathIntegrator::Walk {
     glm::vec3 last_normal{0.0f};
     std::uint32_t last_part = 0;
     bool below_triangle = false;  ///< the ray leaves its triangle's plane downwards
-    float last_pdf = 0.0f;  ///< of the direction that the path took; 1/sr
+    float last_pdf = 0.0f;        ///< of the direction that the path took; 1/sr
     int bounces = 0;
 
     /// Vertex normals leave directions in the lobe that are above the smooth surface and below the triangle
-    /// that stands for it. What such a ray meets of the same mesh is not another surface that lights this one,
-    /// as shadow rays have it too.
+    /// that stands for it. What such a ray meets of the same mesh is not another surface that lights this
+    /// one, as shadow rays have it too.
     [[nodiscard]] bool meets_own_facets(const Hit& hit) const {
         return bounces > 0 && below_triangle && hit.part == last_part;
     }
