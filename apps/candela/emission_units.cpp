@@ -55,7 +55,7 @@ bool set_emission_units(const JobOptions& options, bool brings_no_light, Job& jo
                      (options.units == "auto" && brings_no_light && brightest <= kLargestRelative);
     units.nit_per_unit = 1.0f;
     if (units.relative && brightest > 0.0f) {
-        const bool dark = options.environment == "none" && job.scene.lights.empty();
+        const bool dark = !brings_no_light && !job.scene.environment && job.scene.lights.empty();
         units.nit_per_unit = dark ? kDisplayWhite_nit : white_nit(job.scene);
     }
     units.nit_per_unit *= options.emissive_scale;

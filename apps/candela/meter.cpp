@@ -141,7 +141,7 @@ Reading read_on_device(Job& job, const MeterOptions& options, Way way) {
         device, job,
         {integrate, samples, options.job.seed, false, shadows, options.job.shadows.atlas_texels, "metering"});
     warn_of_unshadowed(frame.unshadowed_lights, job.diagnostics);
-    const std::vector<glm::vec4>& picture = frame.still.planes.light_nit;
+    const std::vector<glm::vec4> picture = realtime::lit_nit(frame.still);
     if (way != Way::pixel) return mean_of(picture);
     return mean_of({picture.at(std::size_t{options.pixel[1]} * job.width + options.pixel[0])});
 }
@@ -171,9 +171,8 @@ void aim(Job& job, const MeterOptions& o, Way way) {
         job.profile.diffuse = realtime::DiffuseTechnique::lambert;
     }
     job.width = job.height = kFieldPixels;
-    // Metering an exposure is of no use to a meter, and may fail on black.
+    // Automatic, whatever the stage says: the light buffer's range then suits what is read.
     job.exposure = {};
-    job.exposure.ev100 = 0.0f;
 }
 
 nlohmann::json result_of(const Reading& reading, Way way) {
