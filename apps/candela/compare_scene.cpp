@@ -137,6 +137,7 @@ class TruthSource {
             for (std::size_t i = 0; i < x.size(); ++i) x[i] = weight_a * x[i] + (1.0f - weight_a) * y.at(i);
         };
         mix(a.planes.light_nit, b.planes.light_nit);
+        mix(a.planes.unlit, b.planes.unlit);
         for (std::size_t i = 0; i < a.planes.aovs.size(); ++i) mix(a.planes.aovs[i], b.planes.aovs[i]);
     }
 
