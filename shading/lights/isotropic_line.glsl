@@ -44,16 +44,28 @@ FN float isotropic_line_attenuation(vec3 n, vec3 start_m, vec3 end_m, float offs
     return visible * max(isotropic_line_attenuation_unclipped(n, low, high, offset_m2), 0.0f);
 }
 
-// Illuminance per luminance (sr) of a tube by its axis: a line of the tube's power, which per nit is its area / 4 in cd of a
-// source that shines alike in all directions. Exact for half_length_m = 0 above the horizon, where it is a sphere's.
-FN float tube_projected_solid_angle_isotropic_line(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m,
-                                                   float radius_m) {
-    float cd_per_nit = PI * radius_m * (half_length_m + radius_m);
-    // Karis adds 1 cm^2, the unit of his engine. Inside of the tube's own radius the light stops growing.
-    float offset_m2 = 1.0e-4f;
-    return min(cd_per_nit * isotropic_line_attenuation(n, to_center_m - half_length_m * axis,
-                                                       to_center_m + half_length_m * axis, offset_m2),
-               PI);
+// Sine between a lamp's axis and the direction to its middle: what its diffuse cylinder sends there over what it sends across the
+// axis. 0 for a receiver in the middle.
+FN float lamp_sine(vec3 to_center_m, vec3 axis) {
+    vec3 across = cross(axis, to_center_m);
+    return sqrt(dot(across, across) / max(dot(to_center_m, to_center_m), 1.0e-30f));
+}
+
+// Lamps by the line above: lx per cd across the axis. The sine is own: with it a small lamp is what its cylinder is in each
+// direction, where a line that shines alike in all directions would be off by up to 4 / pi. Offset: Karis's 1 cm^2, the squared unit
+// of his engine.
+FN float lamp_line_illuminance(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m) {
+    vec3 half_m = half_length_m * axis;
+    return lamp_sine(to_center_m, axis) *
+           isotropic_line_attenuation(n, to_center_m - half_m, to_center_m + half_m, 1.0e-4f);
+}
+
+// Illuminance per luminance (sr) of a tube by its axis: the area that it shows times the line's mean. Exact for half_length_m = 0
+// above the horizon, where it is a sphere. Inside of the tube the light stops growing.
+FN float lamp_tube_projected_solid_angle(vec3 n, vec3 to_center_m, vec3 axis, float half_length_m, float radius_m) {
+    vec3 half_m = half_length_m * axis;
+    float area_m2 = radius_m * (4.0f * half_length_m * lamp_sine(to_center_m, axis) + PI * radius_m);
+    return min(area_m2 * isotropic_line_attenuation(n, to_center_m - half_m, to_center_m + half_m, 1.0e-4f), PI);
 }
 
 CANDELA_SHADING_END

@@ -83,7 +83,7 @@ FN vec4 case_isotropic_line(NUMBERS) {
     vec3 end = case_center(u[5], u[6], u[7]);
     return vec4(isotropic_line_attenuation(n, start, end, 1.0e-2f),
                 isotropic_line_attenuation_printed(n, start, end, 1.0e-2f),
-                tube_projected_solid_angle_isotropic_line(n, start, case_direction(u[5], u[6]), u[8], 0.1f * u[9]), 1.0f);
+                lamp_tube_projected_solid_angle(n, start, case_direction(u[5], u[6]), u[8], 0.1f * u[9]), 1.0f);
 }
 FN vec4 case_light_direction(NUMBERS) {
     vec3 n = case_direction(u[0], u[1]);

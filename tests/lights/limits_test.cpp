@@ -91,7 +91,7 @@ TEST(Limits, AnIsotropicLineWithoutLengthIsAPointLight) {
         EXPECT_NEAR(isotropic_line_attenuation(n, c - half, c + half, 0.0f), point, 1e-3f * point + 1e-4f);
         // A tube without length is a sphere, above the horizon.
         if (dot(n, c) > 0.1f) {
-            EXPECT_NEAR(tube_projected_solid_angle_isotropic_line(n, c, half * 1e4f, 0.0f, 0.05f),
+            EXPECT_NEAR(lamp_tube_projected_solid_angle(n, c, half * 1e4f, 0.0f, 0.05f),
                         sphere_projected_solid_angle(n, c, 0.05f), 1e-3f * PI * 0.0025f * point + 2e-5f);
         }
     }

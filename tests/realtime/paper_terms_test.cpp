@@ -152,7 +152,8 @@ TEST(PaperTerms, NoProfileReflectsLessThanNothing) {
     }
 }
 
-// Karis 2013, equations 15 and 16, corrected: a line whose points shine alike in all directions.
+// Karis 2013, equations 15 and 16, corrected: a line whose points shine alike in all directions, times
+// what a lamp sends towards the middle of it.
 TEST(PaperTerms, LinesAndTubesOfUe4AreKarissLines) {
     scene::Light light;
     light.type = scene::LightType::line;
@@ -168,10 +169,12 @@ TEST(PaperTerms, LinesAndTubesOfUe4AreKarissLines) {
     const float attenuation =
         shading::isotropic_line_attenuation(kUp, light.position - half, light.position + half, 1.0e-4f);
     s.lights = {light};
-    const float line = 1000.0f * 0.25f * kPi * attenuation * 0.5f / kPi;
+    const float sine = glm::length(glm::cross(light.right, glm::normalize(light.position)));
+    const float line = 1000.0f * sine * attenuation * 0.5f / kPi;
     EXPECT_NEAR(read(s, profile("ue4"), 20.0f).direct_diffuse.x, line, 0.01f * line);
     s.lights[0].type = scene::LightType::tube;
-    const float tube = 1000.0f * kPi * 0.05f * 0.95f * attenuation * 0.5f / kPi;
+    const float area_m2 = 0.05f * (4.0f * 0.9f * sine + kPi * 0.05f);
+    const float tube = 1000.0f * area_m2 * attenuation * 0.5f / kPi;
     EXPECT_NEAR(read(s, profile("ue4"), 20.0f).direct_diffuse.x, tube, 0.01f * tube);
 }
 

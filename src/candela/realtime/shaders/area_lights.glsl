@@ -190,17 +190,14 @@ float tube_illuminance(vec3 n, AreaLight a) {
         case kAreaDiffuseFiveTimes:
             return tube_projected_solid_angle_five_times(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
         case kAreaDiffuseLightPosition:
-            return tube_projected_solid_angle_isotropic_line(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
+            return lamp_tube_projected_solid_angle(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
         default: return tube_projected_solid_angle_frostbite(n, a.to_center_m, a.right, a.half_width_m, a.radius_m);
     }
 }
 
-// Karis's line shines alike in all directions: 1 cd across a diffuse cylinder is pi / 4 cd of it for the same lm.
 float line_lx(vec3 n, AreaLight a) {
     if (kAreaDiffuse != kAreaDiffuseLightPosition) return line_illuminance(n, a.to_center_m, a.right, a.half_width_m);
-    vec3 half_m = a.right * a.half_width_m;
-    return 0.25 * PI * isotropic_line_attenuation(n, a.to_center_m - half_m, a.to_center_m + half_m,
-                                                  square(kPunctualMinDistance_m));
+    return lamp_line_illuminance(n, a.to_center_m, a.right, a.half_width_m);
 }
 
 // Whether a group's kinds are all one, so that the others' code need not run.
