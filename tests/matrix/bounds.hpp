@@ -56,8 +56,10 @@ inline Bounds studio_bounds(const realtime::Profile& p) {
 
 /// The sun's disc.
 inline Bounds sun_bounds(const realtime::Profile& p) {
-    (void)p;
-    return {9.0, 9.0, 9.0, 9.0};
+    using realtime::AreaSpecularTechnique;
+    // The lobe at the sun's centre, widened by its disc.
+    if (p.area_specular == AreaSpecularTechnique::ltc) return {0.003, 0.004, 0.004, 0.004};
+    return {0.016, 0.105, 0.075, 0.06};
 }
 
 /// By the names of local_lights().

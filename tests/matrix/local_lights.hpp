@@ -65,8 +65,33 @@ inline scene::PhotometricProfile web() {
     return p;
 }
 
+/// The point light of a shape's intensity perpendicular to it, in cd.
+inline scene::Light as_point(scene::Light light) {
+    using scene::LightType;
+    const float disc_m2 = std::numbers::pi_v<float> * light.radius_m * light.radius_m;
+    switch (light.type) {
+        case LightType::sphere:
+        case LightType::disk:
+            light.intensity *= disc_m2;
+            break;
+        case LightType::rectangle:
+            light.intensity *= 4.0f * light.half_width_m * light.half_height_m;
+            break;
+        case LightType::tube:
+            light.intensity *= disc_m2 + 4.0f * light.half_width_m * light.radius_m;
+            break;
+        case LightType::line:
+            break;
+        default:
+            return light;
+    }
+    light.type = LightType::point;
+    return light;
+}
+
 /// Every type of light that has a place, an IES profile and an emissive square. size: factor on that of each.
-inline Places local_lights(float size = 1.0f) {
+/// points: shapes are points of the same intensity.
+inline Places local_lights(float size = 1.0f, bool points = false) {
     using scene::LightType;
     Places out;
     out.scene.profiles.push_back(web());
@@ -81,7 +106,8 @@ inline Places local_lights(float size = 1.0f) {
     for (const LightType type : {LightType::point, LightType::spot, LightType::frustum, LightType::sphere,
                                  LightType::disk, LightType::rectangle, LightType::tube, LightType::line}) {
         each_row(scene::name_of(type), [&](const glm::vec3& row, const glm::vec3& towards) {
-            out.scene.lights.push_back(local_light(type, row, towards, size));
+            const scene::Light light = local_light(type, row, towards, size);
+            out.scene.lights.push_back(points ? as_point(light) : light);
         });
     }
     each_row("IES", [&](const glm::vec3& row, const glm::vec3& towards) {
@@ -91,7 +117,12 @@ inline Places local_lights(float size = 1.0f) {
         out.scene.lights.push_back(light);
     });
     each_row("emissive", [&](const glm::vec3& row, const glm::vec3& towards) {
-        const scene::Light frame = local_light(LightType::rectangle, row, towards, size);
+        scene::Light frame = local_light(LightType::rectangle, row, towards, size);
+        if (points) {
+            frame.half_width_m = frame.half_height_m = 0.15f * size;
+            out.scene.lights.push_back(as_point(frame));
+            return;
+        }
         glm::mat4 world(glm::vec4(frame.right, 0.0f), glm::vec4(-frame.up(), 0.0f),
                         glm::vec4(frame.direction, 0.0f), glm::vec4(frame.position, 1.0f));
         scene::Material lamp = grey(0.0f);

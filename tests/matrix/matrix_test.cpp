@@ -127,17 +127,20 @@ TEST_P(Matrix, LightsThatHaveAPlace) {
     }
 }
 
-// The limit: a light of a size tends to the point light of the same lumens as its size goes to zero (Karis
-// 2013, "Area Lights"). Integrate samples the same points of the patches, so that nothing but the highlights
-// differs.
+// The limit: a light of a size tends to the point light of the same intensity as its size goes to zero (Karis
+// 2013, "Area Lights").
 TEST_P(Matrix, SmallLightsArePoints) {
-    const Places places = local_lights(5.0e-3f);
-    const auto frame = rendered(places.scene, places.middles, profile_);
-    const auto integral = rendered(places.scene, places.middles, profile_, 4);
-    for (std::size_t k = 0; k < places.names.size(); ++k) {
-        for (std::size_t i = 0; i < integral[k].size(); ++i) {
-            EXPECT_NEAR(frame[k][i] / integral[k][i], 1.0, 0.01)
-                << GetParam() << ", " << places.names[k] << ", " << kPatchMaterials[i % kPatchesSide]
+    constexpr float kSize = 1.5e-3f;
+    const Places shapes = local_lights(kSize);
+    const Places points = local_lights(kSize, true);
+    const auto of_shapes = rendered(shapes.scene, shapes.middles, profile_);
+    const auto of_points = rendered(points.scene, points.middles, profile_);
+    for (std::size_t k = 0; k < shapes.names.size(); ++k) {
+        // Emissive surfaces have no range: those of other rows add a little.
+        const double tolerance = shapes.names[k] == "emissive" ? 0.015 : 0.01;
+        for (std::size_t i = 0; i < of_points[k].size(); ++i) {
+            EXPECT_NEAR(of_shapes[k][i] / of_points[k][i], 1.0, tolerance)
+                << GetParam() << ", " << shapes.names[k] << ", " << kPatchMaterials[i % kPatchesSide]
                 << ", NoV " << kPatchNoV[i / kPatchesSide];
         }
     }

@@ -15,7 +15,7 @@ namespace candela::test {
 /// in depth, so that each may have a light of its own.
 inline constexpr std::array<float, 4> kPatchNoV{0.95f, 0.6f, 0.35f, 0.2f};
 inline constexpr std::array<const char*, 4> kPatchMaterials{"first metal", "metal", "dielectric", "layered"};
-inline constexpr float kRowDepth_m = 12.0f;
+inline constexpr float kRowDepth_m = 30.0f;
 inline constexpr float kPatch_m = 0.05f;
 inline constexpr std::uint32_t kPatchPixels = 8;
 inline constexpr std::uint32_t kPatchesSide = 4;

@@ -57,12 +57,12 @@ TEST(TwoForms, AnEnvironmentIsReflectedByTheImageBasedForm) {
 // material's rays only.
 TEST(TwoForms, OtherSurfacesAreReflectedByTheImageBasedForm) {
     constexpr float kRadius_m = 100.0f;
-    scene::Light lamp = light_of(scene::LightType::point, {0.0f, -0.5f, 0.0f}, {0.0f, -1.0f, 0.0f});
-    lamp.intensity = 1.0e6f;
-    lamp.color = glm::vec3(1.0f);
-    lamp.casts_shadow = false;
-    lamp.range_m = std::numeric_limits<float>::infinity();
-    scene::Scene s = floor_under({lamp}, metal());
+    scene::Light bulb = light_of(scene::LightType::point, {0.0f, -0.5f, 0.0f}, {0.0f, -1.0f, 0.0f});
+    bulb.intensity = 1.0e6f;
+    bulb.color = glm::vec3(1.0f);
+    bulb.casts_shadow = false;
+    bulb.range_m = std::numeric_limits<float>::infinity();
+    scene::Scene s = floor_under({bulb}, metal());
     for (auto& position : s.meshes[0].primitives[0].positions) position *= 0.02f;
     scene::Material wall = grey(0.5f);
     wall.double_sided = true;

@@ -34,8 +34,9 @@ vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float 
         return representative_point_rectangle(a.to_center_m, a.right, a.up, a.half_width_m, a.half_height_m, mirror);
     }
     if (group == kCapsules) {
-        normalization = representative_point_tube_normalization(alpha, a.half_width_m, a.radius_m, distance_m);
-        return representative_point_tube(a.to_center_m, a.right, a.half_width_m, a.radius_m, mirror);
+        float radius_m = is_kind(kind, kLightLine) ? 0.0 : a.radius_m;
+        normalization = representative_point_tube_normalization(alpha, a.half_width_m, radius_m, distance_m);
+        return representative_point_tube(a.to_center_m, a.right, a.half_width_m, radius_m, mirror);
     }
     bool flat_one = group == kPolygons || is_kind(kind, kLightDisk);
     if (kFlatNormalized || !flat_one) {
