@@ -27,8 +27,9 @@ inline Bounds constant_environment_bounds(const realtime::Profile& p) {
         case DfgTechnique::table:
             return {0.004, 0.004, 0.004, 0.005};
         case DfgTechnique::env_brdf_approx:
-        case DfgTechnique::env_brdf_approx_nonmetal:
             return {0.06, 0.12, 0.025, 0.055};
+        case DfgTechnique::env_brdf_approx_nonmetal:
+            return {0.06, 0.12, 0.06, 0.09};  // no bias by f90 on the default dielectric
         default:
             return {2.0, 2.0, 2.0, 2.0};  // without a specular lobe by intent
     }

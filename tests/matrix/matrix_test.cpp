@@ -135,14 +135,17 @@ TEST_P(Matrix, LightsThatHaveAPlace) {
 // The limit: a light of a size tends to the point light of the same intensity as its size goes to zero (Karis
 // 2013, "Area Lights").
 TEST_P(Matrix, SmallLightsArePoints) {
-    constexpr float kSize = 1.5e-3f;
+    constexpr float kSize = 5.0e-3f;
+    // A representative point is off the light's middle by up to its angular radius, 1 mrad here, which is
+    // what a grazing lobe of alpha 0.09 notices. A lobe that is not the point light's is off by a factor.
+    const double of_technique = profile_.area_specular == realtime::AreaSpecularTechnique::ltc ? 0.01 : 0.035;
     const Places shapes = local_lights(kSize);
     const Places points = local_lights(kSize, true);
     const auto of_shapes = rendered(shapes.scene, shapes.middles, profile_);
     const auto of_points = rendered(points.scene, points.middles, profile_);
     for (std::size_t k = 0; k < shapes.names.size(); ++k) {
         // Emissive surfaces have no range: those of other rows add a little.
-        const double tolerance = shapes.names[k] == "emissive" ? 0.015 : 0.01;
+        const double tolerance = shapes.names[k] == "emissive" ? of_technique + 0.005 : of_technique;
         for (std::size_t i = 0; i < of_points[k].size(); ++i) {
             EXPECT_NEAR(of_shapes[k][i] / of_points[k][i], 1.0, tolerance)
                 << GetParam() << ", " << shapes.names[k] << ", " << kPatchMaterials[i % kPatchesSide]
