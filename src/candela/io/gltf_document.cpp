@@ -190,6 +190,8 @@ std::size_t GltfDocument::buffer_view_stride(std::uint32_t index) const {
 std::vector<std::byte> GltfDocument::decompress(std::uint32_t index) const {
     const JsonView packed = element("bufferViews", index)["extensions"]["EXT_meshopt_compression"];
     const std::span<const std::byte> source = slice(packed);
+    // Of what is cut off nothing can be decoded.
+    if (source.size() < packed["byteLength"].unsigned_or(0)) packed.fail("passes the end of its buffer");
     const std::uint64_t count = packed["count"].unsigned_or(0);
     const std::uint64_t stride = packed["byteStride"].unsigned_or(0);
     const std::string mode = packed["mode"].string_or("");
