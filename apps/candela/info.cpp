@@ -165,11 +165,11 @@ void add_info(CLI::App& app, Action& action) {
     command->callback([options, command, &action] {
         check_environment_options(*command, *options);
         if (options->scene_file.empty())
-            refuse_without_effect(
-                *command,
-                {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible", "--env-hidden",
-                 "--env-keep-sun", "--stage", "--light-scale", "--light-units", "--time", "--memory"},
-                "without a scene", "candela info SCENE.glb");
+            refuse_without_effect(*command,
+                                  {"--env", "--env-scale", "--env-lux", "--env-rotate", "--env-visible",
+                                   "--env-hidden", "--env-keep-sun", "--stage", "--light-scale",
+                                   "--light-units", "--time", "--animation", "--strict", "--memory"},
+                                  "without a scene", "candela info SCENE.glb");
         action = [options] { return info(*options); };
     });
 }
