@@ -223,6 +223,23 @@ TEST(ExrEnvironment, GreyIsReadAndOtherChannelsAreNamedInTheError) {
     EXPECT_NE(error.hint().find("depth.Z, left.R"), std::string::npos);
 }
 
+TEST(HdrEnvironment, PrimariesOfZerosAreAnUnsetField) {
+    const auto warned = [](const std::string& primaries) {
+        const Folder folder;
+        save(folder / "a.hdr", bytes_of(head + "PRIMARIES=" + primaries + "\n\n-Y 1 +X 1\n" +
+                                        flat({Rgbe{128, 128, 128, 136}})));
+        Diagnostics diagnostics;
+        (void)io::read_environment(folder / "a.hdr", diagnostics);
+        bool found = false;
+        for (const Diagnostics::Warning& w : diagnostics.warnings())
+            found = found || w.text.find("primaries") != std::string::npos;
+        return found;
+    };
+    EXPECT_FALSE(warned("0 0 0 0 0 0 0 0"));
+    EXPECT_FALSE(warned("0.640 0.330 0.300 0.600 0.150 0.060 0.3127 0.3290"));
+    EXPECT_TRUE(warned("0.7 0.3 0.2 0.7 0.15 0.06 0.3127 0.3290"));
+}
+
 TEST(ExrEnvironment, WhiteLuminanceScalesAndForeignPrimariesWarn) {
     const Folder folder;
     ExrKind kind;
