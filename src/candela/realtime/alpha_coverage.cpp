@@ -14,6 +14,14 @@ constexpr std::size_t kMostSupersampledTexels = std::size_t{1} << 20;
 /// Alpha takes one of so many values.
 constexpr std::size_t kBins = 4096;
 
+/// Irrational: shifts that do not repeat.
+constexpr float kShiftX = 0.618034f;
+constexpr float kShiftY = 0.569840f;
+
+float fraction(float x) {
+    return x - std::floor(x);
+}
+
 /// A texel's alpha between it and its right and lower neighbours, at a fraction of a texel.
 template <class Visit>
 void each_sample(const AlphaTexels& level, const Visit& visit) {
@@ -31,12 +39,20 @@ void each_sample(const AlphaTexels& level, const Visit& visit) {
             const float b = level.at(row + right);
             const float c = level.at(below + x);
             const float d = level.at(below + right);
+            if (steps == 1) {
+                visit(a);
+                continue;
+            }
+            // Rows of samples are shifted against each other, so that edges along them count in fine steps.
+            const float row_shift = fraction(kShiftY * static_cast<float>(x + 5 * y));
             for (int j = 0; j < steps; ++j) {
-                const float v = (static_cast<float>(j) + 0.5f) * step * (steps > 1 ? 1.0f : 0.0f);
+                const float v = (static_cast<float>(j) + row_shift) * step;
                 const float left_alpha = a + (c - a) * v;
                 const float right_alpha = b + (d - b) * v;
+                const float shift =
+                    fraction(kShiftX * static_cast<float>(static_cast<std::uint32_t>(j) + 7 * x + 13 * y));
                 for (int i = 0; i < steps; ++i) {
-                    const float u = (static_cast<float>(i) + 0.5f) * step * (steps > 1 ? 1.0f : 0.0f);
+                    const float u = (static_cast<float>(i) + shift) * step;
                     visit(left_alpha + (right_alpha - left_alpha) * u);
                 }
             }
