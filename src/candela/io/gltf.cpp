@@ -60,6 +60,7 @@ scene::Stroke finish_stroke(const SourcePrimitive& source, scene::Primitive p, s
     p.tangents.clear();
     p.material = stroke_material(p.material, source.had_normals, scene);
     p.bounds = {};
+    p.bounds = {};
     for (const glm::vec3& x : p.positions) p.bounds.extend(x);
     return {*source.stroke, std::move(p)};
 }

@@ -213,26 +213,42 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
 
 void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
                                bool filtered) {
+<<<<<<< HEAD
     std::vector<ImageUse> uses{{&white_image(), {}}};
+=======
+    images_.push_back(upload_image(device, commands, white_image(), {}, filtered));
+>>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
     samplers_.push_back(gpu::create_sampler(device, {}));
 
     std::map<std::pair<std::uint32_t, MipOptions>, std::uint32_t> known_images;
-    std::vector<std::pair<scene::Sampler, std::uint32_t>> known_samplers;
+    struct KnownSampler {
+        scene::Sampler sampler;
+        bool cutout;
+        std::uint32_t index;
+    };
+    std::vector<KnownSampler> known_samplers;
     const auto image_of = [&](std::uint32_t index, const MipOptions& options) {
         if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
         const auto [entry, fresh] =
+<<<<<<< HEAD
             known_images.try_emplace({index, options}, static_cast<std::uint32_t>(uses.size()));
         if (fresh) uses.push_back({&scene.images[index], options});
+=======
+            known_images.try_emplace({index, options}, static_cast<std::uint32_t>(images_.size()));
+        if (fresh) images_.push_back(upload_image(device, commands, scene.images[index], options, filtered));
+>>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
         return entry->second;
     };
-    const auto sampler_of = [&](const scene::Sampler& sampler) {
-        for (const auto& [known, index] : known_samplers) {
-            if (known == sampler) return index;
+    const auto sampler_of = [&](const scene::Sampler& sampler, bool cutout) {
+        for (const KnownSampler& known : known_samplers) {
+            if (known.sampler == sampler && known.cutout == cutout) return known.index;
         }
+        gpu::SamplerDesc desc = filtered ? sampler_desc(sampler) : unfiltered(sampler);
+        // Coverage is kept for bilinear reading; a wider average brings alpha below the cutoff again.
+        if (cutout) desc.anisotropy = 1.0f;
         const auto index = static_cast<std::uint32_t>(samplers_.size());
-        samplers_.push_back(
-            gpu::create_sampler(device, filtered ? sampler_desc(sampler) : unfiltered(sampler)));
-        known_samplers.emplace_back(sampler, index);
+        samplers_.push_back(gpu::create_sampler(device, desc));
+        known_samplers.push_back({sampler, cutout, index});
         return index;
     };
     for (const scene::Material& material : scene.materials) {
@@ -241,7 +257,13 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
         for (std::size_t slot = 0; slot < refs.size(); ++slot) {
             if (!*refs[slot] || refs[slot]->texture >= scene.textures.size()) continue;
             const scene::Texture& texture = scene.textures[refs[slot]->texture];
+<<<<<<< HEAD
             slots[slot] = {image_of(texture.image, mip_options(slot, material)), sampler_of(texture.sampler)};
+=======
+            const MipOptions options = mip_options(slot, material);
+            slots[slot] = {image_of(texture.image, options),
+                           sampler_of(texture.sampler, options.alpha == AlphaUse::cutout)};
+>>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
         }
         material_textures_.push_back(slots);
     }

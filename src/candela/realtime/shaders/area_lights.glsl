@@ -264,6 +264,8 @@ float area_above_surface(uint group, AreaLight a, vec3 surface_normal) {
     } else if (group == kCapsules) {
         extent = abs(dot(surface_normal, a.right)) * a.half_width_m + a.radius_m;
     } else {
+        // Of spheres and suns in another unit than to_center_m.
+        height = dot(surface_normal, a.outline[0]);
         extent = length(vec2(dot(surface_normal, a.outline[1]), dot(surface_normal, a.outline[2])));
     }
     return saturate(0.5 + 0.5 * height / max(extent, 1.0e-20));
