@@ -93,6 +93,8 @@ Profile ue4() {
 Profile mobile() {
     Profile profile = ue4();
     profile.name = "mobile";
+    // Karis 2014 has no k for analytic lights of their own.
+    profile.visibility = VisibilityTechnique::schlick_smith_half_alpha;
     profile.dfg = DfgTechnique::env_brdf_approx_nonmetal;
     profile.sun_specular = SunSpecularTechnique::d_approx;
     return profile;

@@ -23,7 +23,9 @@ void add_punctual_light(int kind, Light light, SurfacePoint p, inout Lit lit) {
     vec3 diffuse;
     vec3 specular;
     evaluate(p, techniques(), l, NoL, diffuse, specular);
-    if (kind == kLightDirectional && kSunByLobe) specular = sun_specular(p, l) / max(NoL, 1.0e-6);
+    if (kind == kLightDirectional && kSunByLobe && (!kNormalMapped || above_surface(p.g.surface_normal, l))) {
+        specular = sun_specular(p, l) / max(NoL, 1.0e-6);
+    }
     vec3 illuminance_lx = perpendicular_lx * NoL;
     if (kShadowKinds != 0u && max_component(illuminance_lx) > 0.0) {
         illuminance_lx *= light_visibility(light, p.position, p.facet, l, p.pixel);
