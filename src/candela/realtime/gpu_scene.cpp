@@ -213,11 +213,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
 
 void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
                                bool filtered) {
-<<<<<<< HEAD
     std::vector<ImageUse> uses{{&white_image(), {}}};
-=======
-    images_.push_back(upload_image(device, commands, white_image(), {}, filtered));
->>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
     samplers_.push_back(gpu::create_sampler(device, {}));
 
     std::map<std::pair<std::uint32_t, MipOptions>, std::uint32_t> known_images;
@@ -230,13 +226,8 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
     const auto image_of = [&](std::uint32_t index, const MipOptions& options) {
         if (index >= scene.images.size() || scene.images[index].rgba.empty()) return 0u;
         const auto [entry, fresh] =
-<<<<<<< HEAD
             known_images.try_emplace({index, options}, static_cast<std::uint32_t>(uses.size()));
         if (fresh) uses.push_back({&scene.images[index], options});
-=======
-            known_images.try_emplace({index, options}, static_cast<std::uint32_t>(images_.size()));
-        if (fresh) images_.push_back(upload_image(device, commands, scene.images[index], options, filtered));
->>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
         return entry->second;
     };
     const auto sampler_of = [&](const scene::Sampler& sampler, bool cutout) {
@@ -257,13 +248,9 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
         for (std::size_t slot = 0; slot < refs.size(); ++slot) {
             if (!*refs[slot] || refs[slot]->texture >= scene.textures.size()) continue;
             const scene::Texture& texture = scene.textures[refs[slot]->texture];
-<<<<<<< HEAD
-            slots[slot] = {image_of(texture.image, mip_options(slot, material)), sampler_of(texture.sampler)};
-=======
             const MipOptions options = mip_options(slot, material);
             slots[slot] = {image_of(texture.image, options),
                            sampler_of(texture.sampler, options.alpha == AlphaUse::cutout)};
->>>>>>> b76670a (Masks are read without anisotropy, area lights of spheres and suns by their outline)
         }
         material_textures_.push_back(slots);
     }
