@@ -149,7 +149,7 @@ TEST(Irradiance, AChannelThatDipsIsWindowedAloneAndByTheLeast) {
     const double before = error_of(plain, e, filtered.nit_per_unit);
     const double after = error_of(filtered.irradiance_sh, e, filtered.nit_per_unit);
     EXPECT_NEAR(window.error_without, before, 0.1 * before);
-    EXPECT_NEAR(window.error, after, 0.1 * after);
+    EXPECT_NEAR(window.error, after, 0.15 * after) << "the harmonics above the third band are in it";
     EXPECT_LT(after, 1.25 * before) << before << " " << after;
 }
 

@@ -92,7 +92,7 @@ TEST(Contradictions, OfModes) {
              Case{"render s.glb --shadows none --shadow-atlas 1024", "--shadow-atlas: contradicts --shadows"},
              Case{"compare a.exr b.exr --env sky", "--env: has no effect on pictures"},
              Case{"compare a.exr b.exr --path-spp 4", "--path-spp: has no effect on pictures"},
-             Case{"compare s.glb --no-truth --path-spp 4", "--path-spp: has no effect with --no-truth"},
+             Case{"compare s.glb --no-truth --path-spp 4", "--path-spp: has no effect without the mode path"},
              Case{"compare s.glb --shadows ray", "--shadows: has no effect"},
          })
         expect_refused(c);

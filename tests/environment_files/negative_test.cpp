@@ -76,7 +76,7 @@ TEST(NegativeTexels, SpreadingKeepsTheLightAndWhatIsFarAway) {
     const std::string text = warning_of(folder / "a.exr", io::NegativeTexels::spread, e);
     const glm::dvec3 before = light_of(source), after = light_of(e);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[c] / before[c], 1.0, 1e-5) << c;
-    EXPECT_NEAR(scene::upward_illuminance_lx(e) / scene::upward_illuminance_lx(source), 1.0, 5e-3) << text;
+    EXPECT_NEAR(scene::upward_illuminance_lx(e) / scene::upward_illuminance_lx(source), 1.0, 1e-2) << text;
     for (const glm::vec3& t : e.luminance_nit) EXPECT_TRUE(t.x >= 0.0f && t.y >= 0.0f);
     EXPECT_EQ(e.luminance_nit[40 * 128 + 10], source.luminance_nit[40 * 128 + 10]);
     EXPECT_EQ(e.luminance_nit[12 * 128 + 62].z, 70.0f) << "a channel without negative values stays";

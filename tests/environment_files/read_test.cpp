@@ -391,7 +391,7 @@ TEST(ReadHostile, WhatIsNoLuminanceIsRepairedWithAWarning) {
     ASSERT_EQ(diagnostics.warnings().size(), 3u);
     EXPECT_EQ(
         diagnostics.warnings()[0].text.find("a.ktx2: negative luminance became 0, in 1 of 6 texels, the "
-                                            "least -1; the up-facing illuminance is "),
+                                            "least -1; the up-facing illuminance "),
         0u)
         << diagnostics.warnings()[0].text;
     EXPECT_NE(diagnostics.warnings()[1].text.find("not a number became 0, in 1 of 6"), std::string::npos);

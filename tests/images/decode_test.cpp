@@ -187,7 +187,7 @@ TEST(Decode, AHugeHeaderIsRefusedBeforeMemoryIsTaken) {
 
 TEST(Decode, WhatIsNoPictureSaysSo) {
     EXPECT_STREQ(error_of([] { (void)io::decode_image(bytes_of("GIF89a"), "x"); }).what(),
-                 "not a PNG, JPEG or WebP picture");
+                 "not a PNG, JPEG or WebP picture: a GIF picture");
     EXPECT_STREQ(error_of([] { (void)io::decode_image({}, "x"); }).what(), "the picture is empty");
 }
 

@@ -235,7 +235,8 @@ TEST_F(CompareCommand, AModeThatIsNotNamedIsLeftOut) {
     EXPECT_EQ(
         json::parse(run_candela(command + "--modes realtime,integrate --integrate-spp 1").out)["reference"],
         "integrate");
-    expect_one_line(run_candela(command + "--modes path"), 2, "one picture has nothing to be compared with");
+    expect_one_line(run_candela(command + "--modes path"), 2,
+                    "--samples: has no effect without the mode realtime");
     expect_one_line(run_candela(command + "--modes realtime,path --integrate-spp 4"), 2,
                     "--integrate-spp: has no effect without the mode integrate");
 }

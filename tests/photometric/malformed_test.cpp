@@ -57,7 +57,7 @@ std::vector<Malformed> ies_files() {
     const std::string names_file = "TILT=" + std::string("../../etc/passwd");
     return {
         {"IesEmpty", "", ":1"},
-        {"IesBinary", std::string("\x7f\x45\x4c\x46\0\0\0\xff\xfe", 9), ":1"},
+        {"IesBinary", std::string("\x7f\x45\x4c\x46\0\0\0\xff\xfe", 9), "not a photometric file"},
         {"IesNoTilt", "IESNA:LM-63-2002\n[TEST] x\n", ":2"},
         {"IesEndsAfterTilt", "IESNA:LM-63-2002\nTILT=NONE\n", ":2"},
         {"IesCutInTheWeb", good.substr(0, good.size() - 8), ":10"},

@@ -218,7 +218,6 @@ struct Renderer::State {
     float environment_scale = 1.0f;
     bool environment_visible = true;
     std::optional<float> followed_ev100;
-    float capture_exposure = 0.0f;  ///< of the last captured view; 0: none yet
 };
 
 void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
@@ -291,13 +290,13 @@ std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
     const std::size_t pixels = std::size_t{s.frame.width} * s.frame.height;
     gpu::Buffer read(*s.device, pixels * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                      gpu::MemoryKind::readback);
-    if (!(s.capture_exposure > 0.0f))
-        s.capture_exposure = shading::standard_output_exposure(
-            shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f)));
+    // The same for every view, so that captures do not depend on their order.
+    float capture_exposure = shading::standard_output_exposure(
+        shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f)));
     std::vector<glm::vec4> out(pixels);
-    // Where this view's light does not suit the exposure of the one before, it is drawn again.
+    // Where this view's light does not suit the exposure, it is drawn again.
     for (int attempt = 0;; ++attempt) {
-        s.write_frame_block(camera, s.capture_exposure, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+        s.write_frame_block(camera, capture_exposure, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
         s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
         s.commands.begin();
         s.record_light(camera);
@@ -308,9 +307,9 @@ std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
                        [](std::uint64_t texel) { return glm::unpackHalf4x16(texel); });
         const float factor = recapture_factor(out);
         if (factor == 1.0f || attempt == kMaxRecaptures) break;
-        s.capture_exposure *= factor;
+        capture_exposure *= factor;
     }
-    for (glm::vec4& texel : out) texel = glm::vec4(glm::vec3(texel) / s.capture_exposure, texel.w);
+    for (glm::vec4& texel : out) texel = glm::vec4(glm::vec3(texel) / capture_exposure, texel.w);
     return out;
 }
 
