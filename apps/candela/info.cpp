@@ -50,6 +50,7 @@ json devices_json() {
 json scene_json(const JobOptions& options) {
     Job job;
     StagedScene staged = load_staged_scene(options, job.diagnostics);
+    refuse_warnings(options, job.diagnostics);
     job.scene = std::move(staged.scene);
     // What a picture would have in its place, the studio, is not in the scene.
     if (!options.environment.empty() || staged.stage.environment)
@@ -58,7 +59,6 @@ json scene_json(const JobOptions& options) {
         refuse_options_of_no_environment(options, "the scene");
         set_emission_units(options, !job.scene.environment && job.scene.lights.empty(), job);
     }
-    refuse_warnings(options, job.diagnostics);
     const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},
              {"triangles", scene::triangle_count(scene)},

@@ -268,6 +268,8 @@ Job prepare(const JobOptions& options) {
     job.profile = load_profile(options.profile);
     job.tone_curve = parse_tone_curve(options.tonemap);
     StagedScene staged = load_staged_scene(options, job.diagnostics);
+    // What is said of the files; that the studio lights a scene is no slip of theirs.
+    refuse_warnings(options, job.diagnostics);
     job.scene = std::move(staged.scene);
     const io::Stage& stage = staged.stage;
     set_environment(options, stage, job);
@@ -275,7 +277,6 @@ Job prepare(const JobOptions& options) {
                                static_cast<float>(job.width) / static_cast<float>(job.height));
     scene::widen_strokes(job.scene, job.camera, job.width, job.height, options.line_width_px);
     job.exposure = choose_exposure(options, stage);
-    refuse_warnings(options, job.diagnostics);
     scene::set_unit(job.scene, job.camera, scene::suitable_unit_m(job.scene));
     return job;
 }
