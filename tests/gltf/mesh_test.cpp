@@ -85,6 +85,20 @@ TEST(Mesh, LinesWithoutNormalsAreUnlitAndLinesWithNormalsAreLit) {
     }
 }
 
+TEST(Mesh, LinesOfMaterialsWithoutNamesKeepTheirColours) {
+    GltfBuilder b = ribbon(3, {0, 1, 2, 3, 4});
+    json& primitives = b.doc["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    for (int i = 0; i < 2; ++i)
+        primitives[std::size_t(i)]["material"] = b.push(
+            "materials", {{"pbrMetallicRoughness", {{"baseColorFactor", {0.25 + 0.5 * i, 0.5, 0.5, 1}}}}});
+    const scene::Scene s = load(b);
+    ASSERT_EQ(s.meshes.at(0).strokes.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(s.materials.at(s.meshes[0].strokes[i].geometry.material).base_color.x,
+                  0.25f + 0.5f * float(i));
+}
+
 TEST(Mesh, WithoutNormalsFacesAreFlat) {
     const scene::Scene s = load(ribbon(4, {0, 1, 2}));
     for (const glm::vec3& n : only_primitive(s).normals) EXPECT_EQ(n, glm::vec3(0, 0, 1));

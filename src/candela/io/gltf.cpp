@@ -38,7 +38,8 @@ std::uint32_t default_material(scene::Scene& scene) {
 /// and line materials"); those with normals have no normal maps.
 std::uint32_t stroke_material(std::uint32_t index, bool lit, scene::Scene& scene) {
     scene::Material m = scene.materials[index];
-    m.name += lit ? " (lines)" : " (unlit lines)";
+    // By index: materials need not have names, nor different ones.
+    m.name += (lit ? " (lines of material " : " (unlit lines of material ") + std::to_string(index) + ")";
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
         if (scene.materials[i].name == m.name) return i;
     m.normal_texture = {};
