@@ -82,9 +82,9 @@ io::ReadEnvironment environment_picture(const std::string& name, const Environme
 void warn_of_level(const scene::Environment& e, Diagnostics& diagnostics) {
     const double lx = scene::upward_illuminance_lx(e);
     // The dimmest room that is lit to be seen, and more than the sun at the zenith gives.
-    constexpr double least_lx = 100.0, most_lx = 200000.0;
-    if (!(lx > 0.0) || (lx >= least_lx && lx <= most_lx)) return;
-    const char* other = lx < least_lx ? "a sunset has about 400" : "a clear noon has about 100,000";
+    constexpr double min_lx = 100.0, max_lx = 200000.0;
+    if (!(lx > 0.0) || (lx >= min_lx && lx <= max_lx)) return;
+    const char* other = lx < min_lx ? "a sunset has about 400" : "a clear noon has about 100,000";
     diagnostics.warn(e.name + ": relative: " + measure::readable(lx) + " lx up-facing; " + other +
                      ": --env-lux LX (or --env-scale 1, if it holds cd/m2)");
 }

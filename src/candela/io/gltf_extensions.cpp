@@ -75,7 +75,7 @@ bool can_be_left_out(const std::string& name) {
 }  // namespace
 
 void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
-    constexpr std::size_t most_named = 16;
+    constexpr std::size_t max_named = 16;
     std::set<std::string> required;
     const JsonView list = document.array("extensionsRequired");
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -91,11 +91,11 @@ void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
         const std::string name = used[i].string_or("");
         if (supported_extensions().contains(name) || required.contains(name) || !unknown.insert(name).second)
             continue;
-        if (unknown.size() <= most_named)
+        if (unknown.size() <= max_named)
             diagnostics.warn("extension " + name + " is not supported: ignored");
     }
-    if (unknown.size() > most_named)
-        diagnostics.warn(std::to_string(unknown.size() - most_named) + " more extensions are not supported");
+    if (unknown.size() > max_named)
+        diagnostics.warn(std::to_string(unknown.size() - max_named) + " more extensions are not supported");
 }
 
 }  // namespace candela::io

@@ -119,7 +119,7 @@ struct Draw {
     float distance_m;
     float pdf;      // 1/sr with which it was drawn; 0: nothing
     bool only;      // no other strategy samples it
-    bool blocked;   // direct and indirect are hidden by what is in the way
+    bool blocked;   // direct and indirect are multiplied by visibility
     bool weighted;  // what it carries is weighted against the other strategy already
 };
 const Draw kNoDraw = Draw(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, false, false, false);
@@ -180,7 +180,7 @@ bool next_emitter_along(vec3 position, vec3 l, vec3 inverse, inout uint node, ou
 }
 
 // What arrives along a direction that the BSDF drew with density pdf, weighted: every emitter that the ray enters, as none
-// is in the way of another.
+// occludes another.
 vec3 emitters_along(Receiver r, vec3 l, float pdf) {
     vec3 sum = vec3(0.0);
     vec3 position = r.p.position;
