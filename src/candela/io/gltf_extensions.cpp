@@ -91,8 +91,7 @@ void check_extensions(const GltfDocument& document, Diagnostics& diagnostics) {
         const std::string name = used[i].string_or("");
         if (supported_extensions().contains(name) || required.contains(name) || !unknown.insert(name).second)
             continue;
-        if (unknown.size() <= max_named)
-            diagnostics.warn("extension " + name + " is not supported: ignored");
+        if (unknown.size() <= max_named) diagnostics.warn("extension " + name + " is not supported: ignored");
     }
     if (unknown.size() > max_named)
         diagnostics.warn(std::to_string(unknown.size() - max_named) + " more extensions are not supported");
