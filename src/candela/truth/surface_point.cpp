@@ -1,6 +1,7 @@
 #include "candela/truth/surface_point.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shading/basis.glsl"
@@ -28,19 +29,29 @@ struct SurfaceReader::Corners {
     [[nodiscard]] T mix(const std::vector<T>& values) const {
         return values[index[0]] * (1.0f - u - v) + values[index[1]] * u + values[index[2]] * v;
     }
-    /// Of what the part transforms: get(vertex).
+    template <class T>
+    [[nodiscard]] T mix(const std::array<T, 3>& corners) const {
+        return corners[0] * (1.0f - u - v) + corners[1] * u + corners[2] * v;
+    }
+    /// get(vertex) of each corner. What the part transforms is asked for once for each hit and passed on: the
+    /// transforms are a good part of a bounce's cost.
     template <class Get>
-    [[nodiscard]] auto blend(const Get& get) const {
-        return get(index[0]) * (1.0f - u - v) + get(index[1]) * u + get(index[2]) * v;
+    [[nodiscard]] auto each(const Get& get) const {
+        return std::array{get(index[0]), get(index[1]), get(index[2])};
+    }
+    [[nodiscard]] std::array<glm::vec3, 3> positions() const {
+        return each([&](std::uint32_t i) { return part->position(i); });
+    }
+    [[nodiscard]] std::array<glm::vec3, 3> normals() const {
+        return each([&](std::uint32_t i) { return part->normal(i); });
     }
     [[nodiscard]] glm::vec2 uv(const scene::TextureRef& ref) const {
         const auto& set = primitive->uv[ref.uv_set < 2 ? ref.uv_set : 0];
         return set.empty() ? glm::vec2(0.0f) : mix(set);
     }
     /// Counter-clockwise seen from the front; not normalized.
-    [[nodiscard]] glm::vec3 geometric_normal() const {
-        const glm::vec3 a = part->position(index[0]);
-        const glm::vec3 n = glm::cross(part->position(index[1]) - a, part->position(index[2]) - a);
+    [[nodiscard]] glm::vec3 geometric_normal(const std::array<glm::vec3, 3>& p) const {
+        const glm::vec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
         return part->mirrored ? -n : n;
     }
 };
@@ -59,14 +70,6 @@ glm::vec3 tangent_space_normal(const glm::vec4& texel, float scale) {
 
 bool has_layers(const scene::Material& m) {
     return m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f) || m.anisotropy.strength > 0.0f;
-}
-
-glm::vec3 smooth_surface(const Part& part, const std::uint32_t* index, float u, float v, const glm::vec3& p,
-                         float facing) {
-    const auto corner = [&](int c) { return part.position(index[c]); };
-    const auto normal = [&](int c) { return part.normal(index[c]) * facing; };
-    return shading::smooth_surface(p, {1.0f - u - v, u, v}, corner(0), corner(1), corner(2), normal(0),
-                                   normal(1), normal(2));
 }
 
 }  // namespace
@@ -97,7 +100,7 @@ float SurfaceReader::transparency(const Hit& hit) const {
 bool SurfaceReader::culled(const Ray& ray, const Hit& hit) const {
     if (material(hit.part).double_sided) return false;
     const Corners at(geometry_->parts()[hit.part], hit.triangle, hit.u, hit.v);
-    return glm::dot(ray.direction, at.geometric_normal()) >= 0.0f;
+    return glm::dot(ray.direction, at.geometric_normal(at.positions())) >= 0.0f;
 }
 
 glm::vec3 SurfaceReader::emissive_nit(std::uint32_t part, std::uint32_t triangle, float u, float v) const {
@@ -108,17 +111,16 @@ glm::vec3 SurfaceReader::emissive_nit(std::uint32_t part, std::uint32_t triangle
            glm::vec3(textures_.read(m.emissive_texture, at.uv(m.emissive_texture), Transfer::srgb));
 }
 
-void SurfaceReader::read_normals(const Corners& at, const scene::Material& m, float facing,
-                                 SurfacePoint& out) const {
-    const glm::vec3 vertex_normal =
-        unit_or(at.blend([&](std::uint32_t i) { return at.part->normal(i); }), out.geometric_normal * facing);
+void SurfaceReader::read_normals(const Corners& at, const std::array<glm::vec3, 3>& normals,
+                                 const scene::Material& m, float facing, SurfacePoint& out) const {
+    const glm::vec3 vertex_normal = unit_or(at.mix(normals), out.geometric_normal * facing);
     out.normal = vertex_normal * facing;
     out.coat_normal = out.normal;
     out.surface_normal = out.normal;
     const bool mapped = m.normal_texture || (out.layered && m.clearcoat.normal_texture);
     const bool wants_tangent = mapped || m.anisotropy.strength > 0.0f;
     if (!wants_tangent || !at.part->has_tangents()) return;
-    const glm::vec4 t = at.blend([&](std::uint32_t i) { return at.part->tangent(i); });
+    const glm::vec4 t = at.mix(at.each([&](std::uint32_t i) { return at.part->tangent(i); }));
     out.tangent = glm::vec3(t);
     out.bitangent = (t.w < 0.0f ? -1.0f : 1.0f) * glm::cross(vertex_normal, out.tangent) * facing;
     const glm::vec3 base = out.normal;
@@ -201,8 +203,9 @@ SurfacePoint SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     const scene::Material& m = scene_->materials[part.material];
     const Corners at(part, hit.triangle, hit.u, hit.v);
     SurfacePoint out;
-    out.position = at.blend([&](std::uint32_t i) { return part.position(i); });
-    const glm::vec3 ng = unit_or(at.geometric_normal(), -ray.direction);
+    const std::array<glm::vec3, 3> corners = at.positions();
+    out.position = at.mix(corners);
+    const glm::vec3 ng = unit_or(at.geometric_normal(corners), -ray.direction);
     out.front = glm::dot(ray.direction, ng) < 0.0f;
     const float facing = out.front ? 1.0f : -1.0f;
     out.geometric_normal = ng * facing;
@@ -214,10 +217,13 @@ SurfacePoint SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     }
     if (out.front || m.double_sided) out.emissive_nit = emissive_nit(hit.part, hit.triangle, hit.u, hit.v);
     out.layered = has_layers(m);
-    read_normals(at, m, facing, out);
+    const std::array<glm::vec3, 3> normals = at.normals();
+    read_normals(at, normals, m, facing, out);
     read_base(at, m, base, out.surface);
     if (out.layered) read_layers(at, m, out);
-    out.smooth_position = smooth_surface(part, at.index, hit.u, hit.v, out.position, facing);
+    out.smooth_position =
+        shading::smooth_surface(out.position, {1.0f - hit.u - hit.v, hit.u, hit.v}, corners[0], corners[1],
+                                corners[2], normals[0] * facing, normals[1] * facing, normals[2] * facing);
     // Whatever tangents came with the mesh, lobes need a frame about the final normal.
     const glm::vec3 along = out.tangent - out.normal * glm::dot(out.normal, out.tangent);
     if (m.anisotropy.strength > 0.0f && glm::dot(along, along) > 1e-12f) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "candela/truth/geometry.hpp"
 #include "candela/truth/textures.hpp"
 #include "shading/bsdf.glsl"
@@ -50,7 +52,8 @@ class SurfaceReader {
   private:
     struct Corners;
     [[nodiscard]] glm::vec4 base_color(const Corners& at, const scene::Material& m) const;
-    void read_normals(const Corners& at, const scene::Material& m, float facing, SurfacePoint& out) const;
+    void read_normals(const Corners& at, const std::array<glm::vec3, 3>& normals, const scene::Material& m,
+                      float facing, SurfacePoint& out) const;
     void read_base(const Corners& at, const scene::Material& m, const glm::vec4& base,
                    shading::Surface& s) const;
     void read_layers(const Corners& at, const scene::Material& m, SurfacePoint& out) const;
