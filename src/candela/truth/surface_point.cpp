@@ -5,6 +5,7 @@
 
 #include "shading/basis.glsl"
 #include "shading/fresnel.glsl"
+#include "shading/fully_rough.glsl"
 #include "shading/ray_origin.glsl"
 
 namespace candela::truth {
@@ -217,6 +218,10 @@ SurfacePoint SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     read_normals(at, m, facing, out);
     read_base(at, m, base, out.surface);
     if (out.layered) read_layers(at, m, out);
+    if (scene::is_fully_rough(m, fully_rough_)) {
+        out.surface = shading::fully_rough_surface(out.surface);
+        out.layered = false;
+    }
     out.smooth_position = smooth_surface(part, at.index, hit.u, hit.v, out.position, facing);
     // Whatever tangents came with the mesh, lobes need a frame about the final normal.
     const glm::vec3 along = out.tangent - out.normal * glm::dot(out.normal, out.tangent);
