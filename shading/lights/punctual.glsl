@@ -40,8 +40,8 @@ FN vec3 disk_to_virtual_apex(vec3 to_center_m, vec3 direction, float radius_m, f
 }
 
 // What a disk light's cones leave of its light: what a spot's would, seen from that tip. It multiplies the illuminance as a whole,
-// "without any realistic consideration", so that a disk goes over into the spot as it shrinks: Frostbite listing 9. Cosines of
-// half angles in [0,1], cos_inner >= cos_outer; direction: unit, the way the disk shines.
+// "without any realistic consideration", so that a disk goes over into the spot as it shrinks, but for its own cosine: Frostbite
+// listing 9. Cosines of half angles in [0,1], cos_inner >= cos_outer; direction: unit, the way the disk shines.
 FN float disk_cone_attenuation(vec3 to_center_m, vec3 direction, float radius_m, float cos_inner, float cos_outer) {
     float tan_outer = sqrt(max(1.0f - square(cos_outer), 0.0f)) / max(cos_outer, 1.0e-6f);
     vec3 to_apex = disk_to_virtual_apex(to_center_m, direction, radius_m, tan_outer);
