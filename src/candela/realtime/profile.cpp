@@ -150,6 +150,8 @@ void set_technique(Profile& profile, std::string_view slot_name, std::string_vie
         throw input_error("no such technique: " + std::string(technique), where,
                           "one of " + list(s.techniques));
     }
+    if (slot_name == kFalloffOffset) throw input_error("is not a number of m^2", where);
+    names.push_back(kFalloffOffset);
     throw input_error("no such slot of a profile: " + std::string(slot_name), where, "one of " + list(names));
 }
 
