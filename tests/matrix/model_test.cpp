@@ -2,6 +2,8 @@
 // cone of a disk): the same in the frame, in integrate and in the path tracer.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "local_lights.hpp"
 #include "modes.hpp"
 #include "probes.hpp"
@@ -30,15 +32,19 @@ void expect_near(const PatchMeans& a, const PatchMeans& b, double tolerance, con
     }
 }
 
-/// Means of the grid over those of another run.
-std::vector<double> ratios(const PatchMeans& a, const PatchMeans& b) {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < a.size(); ++i) out.push_back(a[i] / b[i]);
-    return out;
+glm::vec3 patch_middle(std::size_t index) {
+    const float column = static_cast<float>(index % kPatchesSide);
+    return row_middle(static_cast<std::uint32_t>(index / kPatchesSide)) +
+           glm::vec3(kPatch_m * (column + 0.5f - 0.5f * kPatchesSide), 0.0f, 0.0f);
 }
 
-bool without_extent(const std::string& light) {
-    return light == "point" || light == "spot" || light == "frustum" || light == "IES";
+/// Patches at the origin, a light of its own for each row.
+scene::Scene one_light_a_row(const std::array<scene::LightType, kPatchesSide>& types) {
+    scene::Scene s;
+    add_patches(s, kOrigin[0], kTowards_rad, 2457.0f / 4095.0f);
+    for (std::uint32_t row = 0; row < kPatchesSide; ++row)
+        s.lights.push_back(local_light(types[row], row_middle(row), towards_light(row), 1.0f));
+    return s;
 }
 
 void make_fully_rough(scene::Scene& s) {
@@ -74,23 +80,23 @@ scene::Scene patches_under(float environment_nit) {
 // Karis 2014: roughness 1, 0.45 f0 goes to the diffuse colour, no specular. Exact techniques of the diffuse
 // lobe, so that every type of light can be held to the integral.
 TEST(FullyRough, IsOneDiffuseMaterialUnderLightsOfEveryTypeInAllModes) {
+    using scene::LightType;
     const realtime::Profile p = profile("best", "fully-rough", "per-material");
-    Places rough = local_lights();
-    make_fully_rough(rough.scene);
-    Places plain = local_lights();
-    make_diffuse(plain.scene);
-    const auto frame = rendered(rough.scene, rough.middles, p);
-    const auto integral = rendered(rough.scene, rough.middles, p, kIntegrateSamples);
-    const auto path = traced(rough.scene, rough.middles, p, kPathSamples);
-    const auto of_plain = rendered(plain.scene, plain.middles, p);
-    const auto with_lobes = rendered(rough.scene, rough.middles, realtime::profile_by_name("best"));
-    for (std::size_t k = 0; k < rough.names.size(); ++k) {
-        const std::string& light = rough.names[k];
-        expect_near(frame[k], of_plain[k], 0.003, light + ", fully rough to diffuse");
-        expect_near(frame[k], integral[k], without_extent(light) ? 0.002 : 0.02,
-                    light + ", frame to integrate");
-        expect_near(integral[k], path[k], 0.03, light + ", integrate to path");
-        EXPECT_GT(relative_difference(with_lobes[k], frame[k], 1), 0.3) << "other profiles have no such rule";
+    for (const auto& types :
+         {std::array{LightType::point, LightType::spot, LightType::sphere, LightType::disk},
+          std::array{LightType::rectangle, LightType::tube, LightType::line, LightType::frustum}}) {
+        scene::Scene rough = one_light_a_row(types);
+        scene::Scene plain = rough;
+        const auto with_lobes = rendered(rough, kOrigin, p)[0];
+        make_fully_rough(rough);
+        make_diffuse(plain);
+        const auto frame = rendered(rough, kOrigin, p)[0];
+        const auto integral = rendered(rough, kOrigin, p, kIntegrateSamples)[0];
+        const std::string what = std::string("from ") + scene::name_of(types[0]) + " on: ";
+        expect_near(frame, rendered(plain, kOrigin, p)[0], 0.003, what + "fully rough to diffuse");
+        expect_near(frame, integral, 0.005, what + "frame to integrate");
+        expect_near(integral, traced(rough, kOrigin, p, kPathSamples)[0], 0.005, what + "integrate to path");
+        EXPECT_GT(relative_difference(with_lobes, frame, 1), 0.3) << "other materials keep their lobe";
     }
 }
 
@@ -143,86 +149,111 @@ TEST(FullyRough, RulesSayWhichMaterials) {
 
 // Karis 2013, equation 9 and Figure 9.
 TEST(Falloff, IsThatOfTheProfileInAllModes) {
-    const Places places = local_lights();
-    const auto physical = rendered(places.scene, places.middles, realtime::profile_by_name("best"));
+    using scene::LightType;
+    scene::Scene s =
+        one_light_a_row({LightType::point, LightType::spot, LightType::frustum, LightType::point});
+    s.profiles.push_back(web());
+    s.lights[3].profile = 0;
+    s.lights[3].intensity = 1.0f;
+    const auto physical = rendered(s, kOrigin, realtime::profile_by_name("best"))[0];
     for (const char* technique : {"inverse-square-offset", "exponent-2", "exponent-8"}) {
         realtime::Profile p = profile("best", "falloff", technique);
         realtime::set_parameter(p, "falloff-offset-m2", 1.0, "test");
-        const auto frame = rendered(places.scene, places.middles, p);
-        const auto integral = rendered(places.scene, places.middles, p, kIntegrateSamples);
-        const auto path = traced(places.scene, places.middles, p, kPathSamples);
-        const shading::vec3 to_light(kDistance_m, 0.0f, 0.0f);
-        const float range_m = 6.0f;
-        const double expected =
-            double(shading::distance_attenuation({static_cast<int>(p.falloff), 1.0f}, to_light, range_m) /
-                   shading::distance_attenuation(to_light, range_m));
-        EXPECT_GT(std::abs(expected - 1.0), 0.2) << technique;
-        for (std::size_t k = 0; k < places.names.size(); ++k) {
-            const std::string what = places.names[k] + ", " + technique;
-            const bool affected = without_extent(places.names[k]);
-            for (const double ratio : ratios(frame[k], physical[k])) {
-                EXPECT_NEAR(ratio, affected ? expected : 1.0, affected ? 0.03 * expected : 1e-3) << what;
-            }
-            if (!affected) continue;
-            expect_near(frame[k], integral[k], 0.005, what + ", frame to integrate");
-            // Each draw of the path tracer picks one of 40 lights.
-            expect_near(integral[k], path[k], 0.05, what + ", integrate to path");
+        const auto frame = rendered(s, kOrigin, p)[0];
+        for (std::size_t i = 0; i < frame.size(); ++i) {
+            const scene::Light& light = s.lights[i / kPatchesSide];
+            const glm::vec3 to_light = light.position - patch_middle(i);
+            const double expected = double(
+                shading::distance_attenuation({static_cast<int>(p.falloff), 1.0f}, to_light, light.range_m) /
+                shading::distance_attenuation(to_light, light.range_m));
+            EXPECT_GT(std::abs(expected - 1.0), 0.2) << technique;
+            EXPECT_NEAR(frame[i] / physical[i], expected, 0.02 * expected) << technique << ", patch " << i;
         }
+        const auto integral = rendered(s, kOrigin, p, 4)[0];
+        expect_near(frame, integral, 0.003, std::string(technique) + ", frame to integrate");
+        expect_near(integral, traced(s, kOrigin, p, kPathSamples)[0], 0.003,
+                    std::string(technique) + ", integrate to path");
     }
 }
 
-// Frostbite listing 9; as the disk shrinks it goes over into the spot.
+// Only lights without extent: a sphere has the falloff of its solid angle.
+TEST(Falloff, IsNotThatOfLightsWithASize) {
+    using scene::LightType;
+    const scene::Scene s =
+        one_light_a_row({LightType::sphere, LightType::disk, LightType::rectangle, LightType::tube});
+    expect_near(rendered(s, kOrigin, profile("best", "falloff", "exponent-8"))[0],
+                rendered(s, kOrigin, realtime::profile_by_name("best"))[0], 1e-4, "shapes");
+}
+
+namespace {
+
+constexpr float kInner_rad = 0.2f;
+constexpr float kOuter_rad = 0.6f;
+constexpr float kTilt_rad = 0.4f;
+
+/// A disk a row whose cone's soft edge lies on the patches; that of the second row shines backwards, both
+/// ways.
+scene::Scene tilted_disks(float size) {
+    scene::Scene s;
+    add_patches(s, kOrigin[0], kTowards_rad, 2457.0f / 4095.0f);
+    for (std::uint32_t row = 0; row < kPatchesSide; ++row) {
+        scene::Light light =
+            local_light(scene::LightType::disk, row_middle(row), towards_light(row), 2.0f * size);
+        light.direction = std::cos(kTilt_rad) * light.direction + std::sin(kTilt_rad) * light.up();
+        light.two_sided = row == 1;
+        if (light.two_sided) light.direction = -light.direction;
+        light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1.0f, 0.2f)));
+        light.inner_cone_rad = kInner_rad;
+        light.outer_cone_rad = kOuter_rad;
+        light.cone = true;
+        s.lights.push_back(light);
+    }
+    return s;
+}
+
+/// What the spot in the disk's apex leaves at a point.
+double cone_factor(const scene::Light& light, const glm::vec3& point) {
+    const glm::vec3 shines = light.two_sided ? -light.direction : light.direction;
+    const glm::vec3 apex = light.position - shines * (light.radius_m / std::tan(kOuter_rad));
+    return double(shading::angle_attenuation(glm::dot(glm::normalize(point - apex), shines),
+                                             std::cos(kInner_rad), std::cos(kOuter_rad)));
+}
+
+void expect_cones(const scene::Scene& with, const PatchMeans& a, const PatchMeans& b, const char* mode) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double expected = cone_factor(with.lights[i / kPatchesSide], patch_middle(i));
+        EXPECT_GT(expected, 0.05);
+        EXPECT_LT(expected, 0.95);
+        EXPECT_NEAR(a[i] / b[i], expected, 0.04 * expected) << mode << ", patch " << i;
+    }
+}
+
+scene::Scene without_cones(scene::Scene s) {
+    for (scene::Light& light : s.lights) light.cone = false;
+    return s;
+}
+
+}  // namespace
+
+// Frostbite listing 9: the attenuation of a spot whose cone has the disk's rim.
 TEST(DiskCone, IsThatOfASpotBehindItInAllModes) {
-    constexpr float kInner_rad = 0.2f;
-    constexpr float kOuter_rad = 0.6f;
-    constexpr float kTilt_rad = 0.4f;
-    for (const float size : {1.0f, 0.02f}) {
-        scene::Scene with;
-        add_patches(with, kOrigin[0], kTowards_rad, 2457.0f / 4095.0f);
-        std::vector<double> expected;
-        for (std::uint32_t row = 0; row < kPatchesSide; ++row) {
-            scene::Light light =
-                local_light(scene::LightType::disk, row_middle(row), towards_light(row), 2.0f * size);
-            light.direction = std::cos(kTilt_rad) * light.direction + std::sin(kTilt_rad) * light.up();
-            light.two_sided = row == 1;
-            if (light.two_sided) light.direction = -light.direction;
-            light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1.0f, 0.2f)));
-            light.inner_cone_rad = kInner_rad;
-            light.outer_cone_rad = kOuter_rad;
-            light.cone = true;
-            with.lights.push_back(light);
-            const glm::vec3 shines = light.two_sided ? -light.direction : light.direction;
-            const glm::vec3 apex = light.position - shines * (light.radius_m / std::tan(kOuter_rad));
-            const float cosine = glm::dot(glm::normalize(row_middle(row) - apex), shines);
-            expected.push_back(
-                double(shading::angle_attenuation(cosine, std::cos(kInner_rad), std::cos(kOuter_rad))));
-            EXPECT_GT(expected.back(), 0.05);
-            EXPECT_LT(expected.back(), 0.95);
-            if (size < 0.1f) {
-                EXPECT_NEAR(expected.back(),
-                            double(shading::angle_attenuation(std::cos(kTilt_rad), std::cos(kInner_rad),
-                                                              std::cos(kOuter_rad))),
-                            0.02)
-                    << "the spot in its place";
-            }
-        }
-        scene::Scene without = with;
-        for (scene::Light& light : without.lights) light.cone = false;
-        for (const char* name : {"best", "frostbite"}) {
-            const realtime::Profile p = realtime::profile_by_name(name);
-            const auto expect_factor = [&](const PatchMeans& a, const PatchMeans& b, const char* mode) {
-                const std::vector<double> factor = ratios(a, b);
-                for (std::size_t i = 0; i < factor.size(); ++i) {
-                    EXPECT_NEAR(factor[i], expected[i / kPatchesSide], 0.03 * expected[i / kPatchesSide])
-                        << name << ", " << mode << ", size " << size;
-                }
-            };
-            expect_factor(rendered(with, kOrigin, p)[0], rendered(without, kOrigin, p)[0], "frame");
-            if (p.name != "best") continue;
-            expect_factor(rendered(with, kOrigin, p, kIntegrateSamples)[0],
-                          rendered(without, kOrigin, p, kIntegrateSamples)[0], "integrate");
-            expect_factor(traced(with, kOrigin, p, kPathSamples)[0],
-                          traced(without, kOrigin, p, kPathSamples)[0], "path");
-        }
+    const realtime::Profile p = realtime::profile_by_name("best");
+    const scene::Scene with = tilted_disks(1.0f);
+    const scene::Scene without = without_cones(with);
+    const auto frame = rendered(with, kOrigin, p)[0];
+    expect_cones(with, frame, rendered(without, kOrigin, p)[0], "frame");
+    const auto integral = rendered(with, kOrigin, p, kIntegrateSamples)[0];
+    expect_cones(with, integral, rendered(without, kOrigin, p, kIntegrateSamples)[0], "integrate");
+    expect_near(integral, traced(with, kOrigin, p, kPathSamples)[0], 0.005, "integrate to path");
+}
+
+TEST(DiskCone, IsThatOfTheSpotInItsPlaceWhenItIsSmall) {
+    const scene::Scene with = tilted_disks(0.02f);
+    const realtime::Profile p = realtime::profile_by_name("frostbite");
+    expect_cones(with, rendered(with, kOrigin, p)[0], rendered(without_cones(with), kOrigin, p)[0], "frame");
+    for (std::uint32_t row = 0; row < kPatchesSide; ++row) {
+        const double spot = double(
+            shading::angle_attenuation(std::cos(kTilt_rad), std::cos(kInner_rad), std::cos(kOuter_rad)));
+        EXPECT_NEAR(cone_factor(with.lights[row], row_middle(row)), spot, 0.03);
     }
 }
