@@ -11,6 +11,7 @@
 #include "fresnel.glsl"
 #include "microfacet.glsl"
 #include "sheen.glsl"
+#include "teaching_page.glsl"
 
 CANDELA_SHADING_BEGIN
 
@@ -22,6 +23,8 @@ CONSTANT int kVisibilitySmithCorrelated = 0;
 CONSTANT int kVisibilitySchlickSmith = 1;
 // k_image_based for all light.
 CONSTANT int kVisibilitySchlickSmithHalfAlpha = 2;
+// G1 as the teaching page prints it, with k_analytic, for lights; of image-based light, which the page does not have, Karis's.
+CONSTANT int kVisibilityTeachingPage = 3;
 CONSTANT int kFresnelSchlick = 0;
 CONSTANT int kFresnelSphericalGaussian = 1;
 // Schlick with f90 lowered below f0 = 2 %, of dielectrics and metals (Frostbite sections 3.2.1 and 4.10.3).
@@ -62,18 +65,22 @@ FN BsdfTechniques techniques_ue4() {
     return BsdfTechniques(kDiffuseLambert, kVisibilitySchlickSmith, kFresnelSphericalGaussian, kEnergyNone);
 }
 
+FN bool has_two_forms_of_visibility(BsdfTechniques t) {
+    return t.specular_visibility == kVisibilitySchlickSmith || t.specular_visibility == kVisibilityTeachingPage;
+}
+
 // The form of a model under light that comes from no light of the scene: from the environment and from other surfaces. The
 // techniques themselves are the form under lights. Karis 2013, "Specular G": the remapped roughness in k is for analytic
 // lights only; image-based light takes k = alpha / 2, and its listing of the environment's BRDF has Schlick's Fresnel.
 FN BsdfTechniques image_based_form(BsdfTechniques t) {
-    if (t.specular_visibility == kVisibilitySchlickSmith) t.specular_visibility = kVisibilitySchlickSmithHalfAlpha;
+    if (has_two_forms_of_visibility(t)) t.specular_visibility = kVisibilitySchlickSmithHalfAlpha;
     if (t.fresnel == kFresnelSphericalGaussian) t.fresnel = kFresnelSchlick;
     return t;
 }
 
 // Whether image_based_form() is another model.
 FN bool has_two_forms(BsdfTechniques t) {
-    return t.specular_visibility == kVisibilitySchlickSmith || t.fresnel == kFresnelSphericalGaussian;
+    return has_two_forms_of_visibility(t) || t.fresnel == kFresnelSphericalGaussian;
 }
 
 // What of a surface does not depend on the light: prepare once a pixel, evaluate once a light.
@@ -149,6 +156,7 @@ FN float specular_visibility(BsdfTechniques t, float NoV, float NoL, float perce
     if (t.specular_visibility == kVisibilitySchlickSmithHalfAlpha) {
         return V_SchlickSmith(NoV, NoL, k_image_based(alpha));
     }
+    if (t.specular_visibility == kVisibilityTeachingPage) return V_TeachingPage(NoV, k_analytic(perceptual_roughness));
     return V_SmithGGXCorrelated(NoV, NoL, alpha);
 }
 

@@ -39,8 +39,8 @@ class Digest {
 
 void add_materials(const scene::Scene& scene, Digest& digest) {
     for (const scene::Material& m : scene.materials) {
-        digest.numbers(realtime::material_block(m), realtime::material_features(m), m.alpha_mode,
-                       m.double_sided, m.unlit);
+        digest.numbers(realtime::material_block(m, scene::FullyRoughRule::flagged),
+                       realtime::material_features(m), m.alpha_mode, m.double_sided, m.unlit);
         for (const scene::TextureRef* ref : realtime::texture_refs(m)) digest.numbers(ref->texture);
     }
     for (const scene::Texture& t : scene.textures) {
@@ -72,9 +72,10 @@ void add_geometry(const scene::Scene& scene, Digest& digest) {
 void add_light(const scene::Scene& scene, Digest& digest) {
     for (const scene::Light& l : scene.lights) {
         digest.numbers(l.type, l.position, l.direction, l.right, l.color, l.intensity, l.range_m,
-                       l.inner_cone_rad, l.outer_cone_rad, l.horizontal_angle_rad, l.vertical_angle_rad,
-                       l.angular_diameter_rad, l.limb_darkening, l.radius_m, l.half_width_m, l.half_height_m,
-                       l.two_sided, l.visible, l.casts_shadow, l.profile, l.image);
+                       l.inner_cone_rad, l.outer_cone_rad, l.cone, l.horizontal_angle_rad,
+                       l.vertical_angle_rad, l.angular_diameter_rad, l.limb_darkening, l.radius_m,
+                       l.half_width_m, l.half_height_m, l.two_sided, l.visible, l.casts_shadow, l.profile,
+                       l.image);
     }
     for (const scene::PhotometricProfile& p : scene.profiles) {
         digest.add(p.vertical_deg);

@@ -127,6 +127,10 @@ realtime::Profile load_profile(const std::string& name) {
     for (const auto& [slot, technique] : json.items()) {
         if (slot == "base") continue;
         const std::string where = name + ": /" + slot;
+        if (technique.is_number()) {
+            realtime::set_parameter(profile, slot, technique.get<double>(), where);
+            continue;
+        }
         if (!technique.is_string()) throw input_error("a technique's name is a string", where);
         realtime::set_technique(profile, slot, technique.get<std::string>(), where);
     }
@@ -240,7 +244,9 @@ void add_picture_options(CLI::App& command, JobOptions& o) {
                      "Meter the picture (the default when nothing else is said)");
     command.add_option("--exposure-compensation", o.exposure_compensation, "Stops; positive brightens")
         ->check(number_in(-30.0, 30.0));
-    command.add_option("--profile", o.profile, "best, frostbite, ue4, mobile or FILE.json")
+    command
+        .add_option("--profile", o.profile,
+                    "best, frostbite, ue4, mobile, lesson, lesson-literal or FILE.json")
         ->capture_default_str();
     command.add_option("--tonemap", o.tonemap, "Tone curve of PNG files")
         ->check(CLI::IsMember({"none", "aces", "agx", "neutral"}))

@@ -22,8 +22,13 @@ json vector_json(const glm::dvec3& v) {
 
 void add_size(const Light& light, json& out) {
     switch (light.type) {
-        case LightType::sphere:
         case LightType::disk:
+            if (light.cone) {
+                out["inner_cone_deg"] = light.inner_cone_rad * kDegPerRad;
+                out["outer_cone_deg"] = light.outer_cone_rad * kDegPerRad;
+            }
+            [[fallthrough]];
+        case LightType::sphere:
             out["radius_m"] = light.radius_m;
             break;
         case LightType::tube:

@@ -9,6 +9,7 @@
 #include "candela/io/image_read.hpp"
 #include "candela/io/image_write.hpp"
 #include "candela/io/probe_file.hpp"
+#include "candela/measure/path_model.hpp"
 #include "candela/realtime/probe_capture.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/truth/irradiance_bake.hpp"
@@ -113,7 +114,7 @@ LocalLightReport fill_irradiance_volumes(Job& job, const LocalLightOptions& opti
     report.cached = !options.refresh && io::decode_irradiance(read_cache(report.file), key, volumes);
     if (!report.cached) {
         truth::IrradianceBakeOptions bake;
-        bake.path.techniques = path_techniques(job.profile);
+        measure::set_model(job.profile, bake.path);
         bake.samples = options.samples;
         ProgressLine line("filling irradiance volumes");
         bake.progress = line.function();

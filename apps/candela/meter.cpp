@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/measure/light_meter.hpp"
+#include "candela/measure/path_model.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/truth/render_path.hpp"
 #include "command.hpp"
@@ -106,7 +107,7 @@ Reading mean_of(const std::vector<glm::vec4>& pixels) {
 
 Reading read_by_path(const Job& job, const MeterOptions& options) {
     truth::PathRenderOptions o;
-    o.path.techniques = path_techniques(job.profile);
+    measure::set_model(job.profile, o.path);
     o.path.direct_only = options.direct_only;
     o.path.shadows = shadows_of(options.job.shadows, options.mode) == Shadows::ray;
     o.width = o.height = kFieldPixels;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "candela/measure/path_model.hpp"
 #include "candela/realtime/exposure_control.hpp"
 #include "candela/realtime/exposure_meter.hpp"
 #include "candela/scene/error.hpp"
@@ -229,11 +230,6 @@ truth::PathRender render_with(truth::Team& team, const Job& job, const truth::Pa
 
 }  // namespace
 
-shading::BsdfTechniques path_techniques(const realtime::Profile& p) {
-    return {static_cast<int>(p.diffuse), static_cast<int>(p.visibility), static_cast<int>(p.fresnel),
-            static_cast<int>(p.energy)};
-}
-
 void add_path_options(CLI::App& command, PathModeOptions& o) {
     command
         .add_option("--time-limit", o.time_limit_s, "Path: seconds after which the picture so far will do")
@@ -280,7 +276,7 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
                                const PictureFileOptions& files) {
     const std::unique_ptr<truth::Team> team = truth::join_team();
     truth::PathRenderOptions o;
-    o.path.techniques = path_techniques(job.profile);
+    measure::set_model(job.profile, o.path);
     o.path.max_bounces = path.max_bounces.value_or(o.path.max_bounces);
     o.path.direct_only = path.direct_only;
     o.path.shadows = path.shadows;

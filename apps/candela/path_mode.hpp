@@ -6,7 +6,6 @@
 #include "candela/realtime/renderer.hpp"
 #include "job.hpp"
 #include "picture_files.hpp"
-#include "shading/bsdf.glsl"
 
 namespace candela::app {
 
@@ -28,9 +27,6 @@ struct PathModeOptions {
 };
 
 void add_path_options(CLI::App& command, PathModeOptions& options);
-
-/// The material model of a profile, for the path tracer.
-[[nodiscard]] shading::BsdfTechniques path_techniques(const realtime::Profile& profile);
 
 /// Refuses what contradicts or could have no effect in the mode, what only the path tracer knows in others.
 /// Throws Error (Fault::usage).

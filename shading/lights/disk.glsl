@@ -138,12 +138,6 @@ FN float disk_projected_solid_angle_five_times(vec3 n, vec3 to_center_m, vec3 di
            square(distance2);
 }
 
-// From the receiver to the tip of the cone with this half angle whose rim is the disk's: Frostbite listing 9. The disk's
-// attenuation by angle is that of a spot light there (punctual.glsl).
-FN vec3 disk_to_virtual_apex(vec3 to_center_m, vec3 direction, float radius_m, float outer_cone_rad) {
-    return to_center_m - direction * (radius_m / tan(outer_cone_rad));
-}
-
 // The point of the light's plane, relative to the receiver, half way between the direction to the nearest point and the
 // receiver's normal, both turned into where they see each other: Frostbite Appendix E, listing E.2 ("simplified MRP").
 // away = -(the direction in which the light shines); height_m: of the receiver over the plane, > 0.

@@ -1,4 +1,4 @@
-// Falloffs with distance beside the one that the frame has, distance_attenuation() (punctual.glsl).
+// Falloffs with distance beside distance_attenuation() of punctual.glsl, and the choice of a profile among them.
 // Source: Lagarde & de Rousiers 2014 ("Frostbite"), section 4.4, equations 23 to 25 and Figure 25; Karis 2013, equation 9 and
 // Figure 9.
 #ifndef CANDELA_LIGHTS_FALLOFF_WINDOWS_GLSL
@@ -39,6 +39,29 @@ FN float distance_attenuation_offset(float distance_m, float range_m, float offs
 // (2; 8 in Unreal Engine 4) are those of the engine's "Light Falloff Exponent". exponent > 0.
 FN float falloff_exponent(float distance_m, float range_m, float exponent) {
     return pow(saturate(1.0f - square(distance_m / range_m)), exponent);
+}
+
+// distance_attenuation() of punctual.glsl: Frostbite equation 26.
+CONSTANT int kFalloffInverseSquare = 0;
+// Karis 2013, equation 9, with Falloff::offset_m2.
+CONSTANT int kFalloffOffset = 1;
+// Karis 2013, Figure 9, left, with the exponents of Unreal Engine 3 and 4.
+CONSTANT int kFalloffExponent2 = 2;
+CONSTANT int kFalloffExponent8 = 3;
+
+// How lights without extent fade with distance.
+struct Falloff {
+    int technique;
+    float offset_m2;  // of kFalloffOffset, >= 0
+};
+
+// 1/m^2, from cd to lx at normal incidence. The powers have no unit; here a light of 1 cd gives 1 lx at its place, as the inverse
+// square does at 1 m, and without a range they do not fade. All are 0 from the range on.
+FN float distance_attenuation(Falloff f, vec3 to_light, float range_m) {
+    if (f.technique == kFalloffInverseSquare) return distance_attenuation(to_light, range_m);
+    float distance_m = length(to_light);
+    if (f.technique == kFalloffOffset) return distance_attenuation_offset(distance_m, range_m, f.offset_m2);
+    return falloff_exponent(distance_m, range_m, f.technique == kFalloffExponent2 ? 2.0f : 8.0f);
 }
 
 CANDELA_SHADING_END

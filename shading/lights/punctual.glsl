@@ -34,6 +34,21 @@ FN float angle_attenuation(float cos_angle, float cos_inner, float cos_outer) {
     return square(saturate((cos_angle - cos_outer) / max(cos_inner - cos_outer, 1.0e-5f)));
 }
 
+// From the receiver to the tip of the cone with this half angle whose rim is a disk light's: Frostbite listing 9.
+FN vec3 disk_to_virtual_apex(vec3 to_center_m, vec3 direction, float radius_m, float tan_outer) {
+    return to_center_m - direction * (radius_m / max(tan_outer, 1.0e-6f));
+}
+
+// What a disk light's cones leave of its light: what a spot's would, seen from that tip. It multiplies the illuminance as a whole,
+// "without any realistic consideration", so that a disk goes over into the spot as it shrinks, but for its own cosine: Frostbite
+// listing 9. Cosines of half angles in [0,1], cos_inner >= cos_outer; direction: unit, the way the disk shines.
+FN float disk_cone_attenuation(vec3 to_center_m, vec3 direction, float radius_m, float cos_inner, float cos_outer) {
+    float tan_outer = sqrt(max(1.0f - square(cos_outer), 0.0f)) / max(cos_outer, 1.0e-6f);
+    vec3 to_apex = disk_to_virtual_apex(to_center_m, direction, radius_m, tan_outer);
+    float cos_angle = -dot(direction, to_apex) * inversesqrt(max(dot(to_apex, to_apex), 1.0e-30f));
+    return angle_attenuation(cos_angle, cos_inner, cos_outer);
+}
+
 // 1 within the rectangular pyramid of a frustum light, else 0 (Frostbite Table 9: a uniform intensity within it).
 // travels: unit, from the light; direction, right, up: its frame; tangents of half its opening angles, which are under pi.
 FN float frustum_attenuation(vec3 travels, vec3 direction, vec3 right, vec3 up, float tan_half_horizontal,

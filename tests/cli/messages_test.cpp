@@ -63,6 +63,9 @@ TEST(Messages, UnknownValuesOfOptionsAreUsage) {
     spit(scenes() / "profile.json", R"({"base": "phong"})");
     expect_one_line(run_candela(render + " --profile " + (scenes() / "profile.json")), 1,
                     "profile.json: /base: no such profile: phong");
+    spit(scenes() / "profile.json", R"({"base": "ue4", "falloff-offset-m2": -1})");
+    expect_one_line(run_candela(render + " --profile " + (scenes() / "profile.json")), 1,
+                    "profile.json: /falloff-offset-m2: is not from 0 to 1e6 m^2");
     expect_one_line(run_candela(render + " --camera nobody"), 1, "nobody");
 }
 

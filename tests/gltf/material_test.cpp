@@ -67,6 +67,15 @@ std::string base64(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+// Karis 2014: a flag of the material; extras of any other form are somebody else's.
+TEST(Material, FullyRoughIsAnExtra) {
+    EXPECT_TRUE(material({{"extras", {{"fullyRough", true}}}}).fully_rough);
+    for (const json& extras : {json(true), json("fullyRough"), json(3), json(nullptr), json::array({true}),
+                               json{{"fullyRough", 1}}, json{{"fullyRough", false}}, json{{"other", true}}})
+        EXPECT_FALSE(material({{"extras", extras}}).fully_rough) << extras;
+    EXPECT_FALSE(material(json::object()).fully_rough);
+}
+
 TEST(Material, TheDefaultIsOfTheSpecification) {
     const scene::Material m = load(triangle()).materials.at(0);
     EXPECT_EQ(m.base_color, glm::vec4(1));

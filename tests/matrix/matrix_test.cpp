@@ -2,11 +2,13 @@
 // and the frame is within what its techniques err. A new profile is in here by its name alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bounds.hpp"
 #include "candela/bake/environment.hpp"
 #include "local_lights.hpp"
 #include "modes.hpp"
-#include "shading/probes/volume.glsl"
+#include "probes.hpp"
 
 using namespace candela;
 using namespace candela::test;
@@ -49,23 +51,7 @@ scene::Scene under_suns() {
 /// Probes that see the same everywhere.
 scene::Scene among_probes(float nit) {
     scene::Scene s = patches_alone();
-    scene::ReflectionProbe reflection;
-    reflection.half_size_m = glm::vec3(200.0f);
-    reflection.capture.size = 16;
-    for (std::uint32_t size = 16; size >= 4; size /= 2) {
-        reflection.capture.levels.emplace_back(std::size_t{size} * size, glm::vec4(glm::vec3(nit), 1.0f));
-    }
-    s.reflection_probes = {reflection};
-    scene::IrradianceVolume volume;
-    volume.half_size_m = glm::vec3(200.0f);
-    volume.cells = glm::ivec3(2);
-    scene::IrradianceProbe probe;
-    probe.irradiance_sh[0] = glm::vec3(nit / 0.282094792f);
-    probe.distances.assign(std::size_t(shading::kDistanceSize) * shading::kDistanceSize,
-                           glm::vec2(1000.0f, 1.0e6f));
-    probe.valid = true;
-    volume.probes.assign(volume.probe_count(), probe);
-    s.irradiance_volumes = {volume};
+    add_constant_probes(s, nit);
     return s;
 }
 
@@ -155,4 +141,8 @@ TEST_P(Matrix, SmallLightsArePoints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Matrix, testing::ValuesIn(realtime::profile_names()),
-                         [](const auto& instance) { return instance.param; });
+                         [](const auto& instance) {
+                             std::string name = instance.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "candela/gpu/device.hpp"
+#include "candela/measure/path_model.hpp"
 #include "candela/realtime/renderer.hpp"
 #include "candela/truth/camera_rays.hpp"
 #include "candela/truth/path_integrator.hpp"
@@ -50,8 +51,7 @@ inline std::vector<PatchMeans> rendered(const scene::Scene& s, const std::vector
 inline std::vector<PatchMeans> traced(const scene::Scene& s, const std::vector<glm::vec3>& places,
                                       const realtime::Profile& profile, std::uint32_t samples) {
     truth::PathOptions o;
-    o.techniques = {static_cast<int>(profile.diffuse), static_cast<int>(profile.visibility),
-                    static_cast<int>(profile.fresnel), static_cast<int>(profile.energy)};
+    measure::set_model(profile, o);
     o.direct_only = true;
     o.shadows = false;
     const truth::PathIntegrator integrator(s, o);

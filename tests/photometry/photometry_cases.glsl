@@ -6,6 +6,7 @@
 #include "../../shading/color_temperature.glsl"
 #include "../../shading/environment.glsl"
 #include "../../shading/exposure.glsl"
+#include "../../shading/lights/falloff_windows.glsl"
 #include "../../shading/lights/photometric.glsl"
 #include "../../shading/lights/punctual.glsl"
 #include "../../shading/lights/units.glsl"
@@ -103,6 +104,15 @@ FN vec4 case_punctual(NUMBERS) {
     return vec4(window_attenuation(10.0f * u[4], range + 5.0f), 9.0f * distance_attenuation(to_light, range),
                 angle_attenuation(u[5], between(0.5f, 1.0f, u[6]), 0.4f * u[7]), 1.0f);
 }
+FN vec4 case_falloff(NUMBERS) {
+    vec3 to_light = vec3(between(-3.0f, 3.0f, u[0]), between(-3.0f, 3.0f, u[1]), between(-3.0f, 3.0f, u[2]));
+    float range = between(6.0f, 20.0f, u[3]);
+    Falloff offset = Falloff(kFalloffOffset, u[4]);
+    return vec4(distance_attenuation(offset, to_light, range),
+                distance_attenuation(Falloff(kFalloffExponent2, 0.0f), to_light, range),
+                distance_attenuation(Falloff(kFalloffExponent8, 0.0f), to_light, range),
+                disk_cone_attenuation(to_light, vec3(0.0f, 0.0f, 1.0f), u[5], 0.9f, 0.8f * u[6]));
+}
 FN vec4 case_no_range(NUMBERS) {
     float range = case_infinity(u[0]);
     return vec4(window_attenuation(1000.0f * u[1], range),
@@ -170,6 +180,7 @@ CANDELA_SHADING_END
     X(case_frustum, 5e-5f)            \
     X(case_area_units, 1e-5f)         \
     X(case_punctual, 2e-5f)           \
+    X(case_falloff, 2e-5f)            \
     X(case_no_range, 1e-6f)           \
     X(case_photometric_taps, 2e-5f)   \
     X(case_photometric_types, 2e-5f)  \

@@ -92,3 +92,16 @@ TEST(Profile, NamesAndTechniquesAreCheckedAndListed) {
     }
     EXPECT_THROW((void)profile_by_name("phong"), Error);
 }
+
+TEST(Profile, TheOffsetOfEquation9IsAParameter) {
+    Profile p = profile_by_name("ue4");
+    EXPECT_NE(describe(p).find("falloff=inverse-square-offset"), std::string::npos);
+    EXPECT_NE(describe(p).find("falloff-offset-m2=0.0001"), std::string::npos) << "1 cm^2";
+    set_parameter(p, "falloff-offset-m2", 1.0, "here");
+    EXPECT_EQ(p.falloff_offset_m2, 1.0f);
+    EXPECT_NE(describe(p).find("falloff-offset-m2=1"), std::string::npos);
+    for (const double wrong : {-1.0, 1.0e7, std::nan("")})
+        EXPECT_THROW(set_parameter(p, "falloff-offset-m2", wrong, "here"), Error) << wrong;
+    EXPECT_THROW(set_parameter(p, "diffuse", 1.0, "here"), Error);
+    EXPECT_EQ(describe(profile_by_name("best")).find("falloff-offset-m2"), std::string::npos);
+}

@@ -250,7 +250,8 @@ FN BsdfTechniques case_techniques(float x) {
     if (x < 0.25f) return techniques_best();
     if (x < 0.5f) return techniques_frostbite();
     if (x < 0.75f) return techniques_ue4();
-    return BsdfTechniques(kDiffuseDisney, kVisibilitySchlickSmith, kFresnelSchlick, kEnergyCompensated);
+    if (x < 0.9f) return BsdfTechniques(kDiffuseDisney, kVisibilitySchlickSmith, kFresnelSchlick, kEnergyCompensated);
+    return BsdfTechniques(kDiffuseLambert, kVisibilityTeachingPage, kFresnelSphericalGaussian, kEnergyNone);
 }
 FN vec4 case_dfg_value(NUMBERS) {
     return vec4(0.5f + 0.4f * u[20], 0.1f * u[21], u[22], u[23]);

@@ -57,6 +57,28 @@ scene::Scene with_lamp(LightType type) {
 
 }  // namespace
 
+// Frostbite listing 9: a disk has the cones of a spot, if it is given one of them or takes over from a spot.
+TEST(StageLights, ADiskMayHaveTheConesOfASpot) {
+    const scene::Light plain = placed(R"({"type": "disk", "power_lm": 800, "radius_m": 0.5})");
+    EXPECT_FALSE(plain.cone);
+    const scene::Light cone =
+        placed(R"({"type": "disk", "power_lm": 800, "radius_m": 0.5, "outer_cone_deg": 30})");
+    EXPECT_TRUE(cone.cone);
+    EXPECT_NEAR(cone.outer_cone_rad, 0.5235988f, 1e-6f);
+    EXPECT_EQ(cone.inner_cone_rad, 0.0f);
+    EXPECT_EQ(cone.intensity, plain.intensity) << "they take light away, as Frostbite's do";
+    EXPECT_NE(error_of(R"([{"type": "disk", "power_lm": 1, "radius_m": 1, "inner_cone_deg": 50}])")
+                  .find("the inner cone is wider"),
+              std::string::npos);
+
+    scene::Scene scene = with_lamp(LightType::spot);
+    place(R"([{"override": "Lamp", "radius_m": 0.05}])", scene);
+    EXPECT_TRUE(scene.lights[0].cone);
+    scene = with_lamp(LightType::spot);
+    place(R"([{"override": "Lamp", "type": "disk", "radius_m": 0.05}])", scene);
+    EXPECT_FALSE(scene.lights[0].cone) << "a disk was asked for";
+}
+
 TEST(StageLights, UnitsOfFrostbiteTables9And12) {
     EXPECT_NEAR(placed(R"({"type": "point", "power_lm": 800})").intensity, 800 / (4 * kPi), 1e-3f);
     EXPECT_NEAR(placed(R"({"type": "spot", "power_lm": 800})").intensity, 800 / kPi, 1e-3f);

@@ -45,6 +45,8 @@ class JsonView {
     /// One of the names, in whatever case it is written; with a warning the first one for any other value.
     [[nodiscard]] std::string one_of(std::initializer_list<const char*> names, bool optional = true) const;
     [[nodiscard]] bool bool_or(bool fallback) const;
+    /// Whether this is an object with this member true; whatever else it is, is no error.
+    [[nodiscard]] bool has_true(const char* key) const noexcept;
     [[nodiscard]] float float_or(float fallback) const;  ///< finite
     /// Throws Error for what is not a whole number of 0 or more.
     [[nodiscard]] std::optional<std::uint64_t> unsigned_integer() const;

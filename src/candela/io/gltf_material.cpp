@@ -68,6 +68,8 @@ class MaterialReader {
         if (mode == "BLEND") out.alpha_mode = scene::AlphaMode::blend;
         out.alpha_cutoff = m["alphaCutoff"].float_or(0.5f);
         out.double_sided = m["doubleSided"].bool_or(false);
+        // Extras are the file's own business: what has another form means something else.
+        out.fully_rough = m["extras"].has_true("fullyRough");
     }
 
     void extensions(const JsonView& e, scene::Material& out) const {

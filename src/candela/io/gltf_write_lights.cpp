@@ -44,6 +44,7 @@ class LightWriter {
         if (scene::has_extent(light.type) && light.type != LightType::sun && !light.visible)
             cannot(light, "an invisible light of a size");
         if (light.image != scene::no_index) cannot(light, "an image on a light");
+        if (light.type == LightType::disk && light.cone) cannot(light, "the cones of a disk");
         const bool area = light.type == LightType::rectangle || light.type == LightType::disk;
         const bool alone = light.profile != scene::no_index && light.type == LightType::point;
         if ((area || alone) && std::isfinite(light.range_m)) cannot(light, "the range of such a light");

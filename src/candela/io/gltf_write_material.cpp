@@ -88,6 +88,7 @@ class MaterialWriter {
         if (m.alpha_mode == scene::AlphaMode::blend) out["alphaMode"] = "BLEND";
         number(out, "alphaCutoff", m.alpha_cutoff, 0.5f);
         if (m.double_sided) out["doubleSided"] = true;
+        if (m.fully_rough) out["extras"]["fullyRough"] = true;
     }
 
     /// emissiveFactor stays within 1, so what is beyond moves into the strength.

@@ -115,6 +115,12 @@ bool JsonView::bool_or(bool fallback) const {
     return fallback;
 }
 
+bool JsonView::has_true(const char* key) const noexcept {
+    if (!value_ || !value_->is_object()) return false;
+    const auto found = value_->find(key);
+    return found != value_->end() && found->is_boolean() && found->get<bool>();
+}
+
 float JsonView::float_or(float fallback) const {
     if (!value_) return fallback;
     if (!value_->is_number()) {

@@ -51,8 +51,8 @@ bool belongs(const std::string& key, LightType type) {
     if (key == "radius_m") return is({LightType::sphere, LightType::disk, LightType::tube});
     if (key == "width_m" || key == "height_m") return type == LightType::rectangle;
     if (key == "length_m") return is({LightType::line, LightType::tube});
-    if (key == "inner_cone_deg" || key == "outer_cone_deg" || key == "spot_power")
-        return type == LightType::spot;
+    if (key == "inner_cone_deg" || key == "outer_cone_deg") return is({LightType::spot, LightType::disk});
+    if (key == "spot_power") return type == LightType::spot;
     if (key == "horizontal_angle_deg" || key == "vertical_angle_deg") return type == LightType::frustum;
     if (key == "angular_diameter_deg" || key == "limb_darkening") return type == LightType::sun;
     if (key == "two_sided") return is({LightType::disk, LightType::rectangle});
@@ -201,9 +201,10 @@ void add_shape(Handlers& h, StageLight& out) {
     h["length_m"] = h["width_m"];
     h["height_m"] = editing(out, meters, [](Light& l, float x) { l.half_height_m = 0.5f * x; });
     h["range_m"] = editing(out, stage_positive, [](Light& l, float x) { l.range_m = x; });
-    h["inner_cone_deg"] = editing(out, half_angle, [](Light& l, float x) { l.inner_cone_rad = x; });
+    h["inner_cone_deg"] =
+        editing(out, half_angle, [](Light& l, float x) { l.inner_cone_rad = x, l.cone = true; });
     h["outer_cone_deg"] = editing(out, degrees(0.05, 90.0, "0.05 to 90 degrees, from the axis"),
-                                  [](Light& l, float x) { l.outer_cone_rad = x; });
+                                  [](Light& l, float x) { l.outer_cone_rad = x, l.cone = true; });
     h["horizontal_angle_deg"] = editing(out, opening, [](Light& l, float x) { l.horizontal_angle_rad = x; });
     h["vertical_angle_deg"] = editing(out, opening, [](Light& l, float x) { l.vertical_angle_rad = x; });
     h["angular_diameter_deg"] = editing(out, degrees(0.01, 90.0, "0.01 to 90 degrees"),

@@ -95,7 +95,8 @@ LightType grown(const StageLight& entry, LightType type) {
 }
 
 void check_shape(const StageLight& entry, const Light& light) {
-    if (light.type == LightType::spot && light.inner_cone_rad > light.outer_cone_rad)
+    const bool cones = light.type == LightType::spot || (light.type == LightType::disk && light.cone);
+    if (cones && light.inner_cone_rad > light.outer_cone_rad)
         throw input_error("the inner cone is wider than the outer one", entry.where);
     const bool round =
         light.type == LightType::sphere || light.type == LightType::disk || light.type == LightType::tube;
@@ -179,6 +180,8 @@ class Files {
 void apply(const StageLight& entry, const scene::Scene& scene, Files& files, Light& light) {
     const Light before = light;
     light.type = grown(entry, light.type);
+    // A disk takes over from a spot, cones and all, as in Frostbite.
+    if (before.type == LightType::spot && light.type == LightType::disk && !entry.type) light.cone = true;
     for (const auto& edit : entry.edits) edit(light);
     check_stage_light_keys(entry, light.type);
     check_shape(entry, light);

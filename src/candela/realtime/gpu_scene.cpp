@@ -143,11 +143,11 @@ void for_each_mip_chain(const std::vector<ImageUse>& uses, std::size_t max_level
 }  // namespace
 
 GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-                   bool with_emissive, bool filtered_textures)
+                   bool with_emissive, bool filtered_textures, scene::FullyRoughRule fully_rough)
     : light_list(realtime::light_list(scene, with_emissive)) {
     upload_geometry(device, commands, scene);
     upload_textures(device, commands, scene, filtered_textures);
-    upload_materials(device, commands, scene);
+    upload_materials(device, commands, scene, fully_rough);
     upload_lights(device, commands);
     visible_shapes = static_cast<std::uint32_t>(shape_lights(light_list).size());
 }
@@ -259,15 +259,15 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
     });
 }
 
-void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands,
-                                const scene::Scene& scene) {
+void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                                scene::FullyRoughRule fully_rough) {
     const VkDeviceSize alignment =
         std::max<VkDeviceSize>(16, device.limits().minUniformBufferOffsetAlignment);
     material_bytes_ = sizeof(MaterialBlock);
     material_stride_ = (sizeof(MaterialBlock) + alignment - 1) / alignment * alignment;
     std::vector<std::byte> bytes(std::max<std::size_t>(1, scene.materials.size()) * material_stride_);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const MaterialBlock block = material_block(scene.materials[i]);
+        const MaterialBlock block = material_block(scene.materials[i], fully_rough);
         std::memcpy(bytes.data() + i * material_stride_, &block, sizeof(block));
     }
     materials = gpu::upload_buffer(device, commands, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

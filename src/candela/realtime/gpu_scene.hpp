@@ -74,9 +74,10 @@ struct BlendedSurface {
 class GpuScene {
   public:
     /// with_emissive: emissive surfaces are lights too. filtered_textures: mip maps; without them the texels
-    /// of the file are read at any distance, as an integral over the pixel wants them.
+    /// of the file are read at any distance, as an integral over the pixel wants them. fully_rough: the
+    /// profile's.
     GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-             bool with_emissive, bool filtered_textures);
+             bool with_emissive, bool filtered_textures, scene::FullyRoughRule fully_rough);
 
     /// Tells the shaders where each light's shadow is: its place in the plan by index into Scene::lights, -1:
     /// none. Submits.
@@ -108,7 +109,8 @@ class GpuScene {
     void upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
     void upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
                          bool filtered);
-    void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+    void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                          scene::FullyRoughRule fully_rough);
     void upload_lights(const gpu::Device& device, gpu::Commands& commands);
 
     struct TextureSlot {

@@ -1,6 +1,7 @@
 #include "candela/realtime/light_block.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -39,6 +40,11 @@ LightBlock light_block(const scene::Light& light) {
     block.links = glm::ivec4((light.two_sided ? two_sided : 0) | (light.limb_darkening ? limb_darkening : 0) |
                                  (light.visible ? visible : 0),
                              -1, -1, 0);
+    if (light.type == scene::LightType::disk && light.cone) {
+        const auto cosine = [](float rad) { return std::bit_cast<int>(std::max(std::cos(rad), 0.0f)); };
+        block.links.y = cosine(light.inner_cone_rad);
+        block.links.w = cosine(light.outer_cone_rad);
+    }
     return block;
 }
 

@@ -27,7 +27,7 @@ LightRecords light_records(const scene::Scene& scene, PackedTextures& textures) 
     std::map<std::uint32_t, std::uint32_t> image_records;
     for (const scene::Light& light : scene.lights) {
         LightBlock block = light_block(light);
-        block.links.w = -1;
+        if (light.type != LightType::disk) block.links.w = -1;
         const bool has_profile = light.type == LightType::point || light.type == LightType::spot ||
                                  light.type == LightType::frustum;
         if (has_profile && light.profile < scene.profiles.size())

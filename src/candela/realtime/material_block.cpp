@@ -25,7 +25,7 @@ bool default_nonmetal(const scene::Material& m) {
 
 }  // namespace
 
-MaterialBlock material_block(const scene::Material& m) {
+MaterialBlock material_block(const scene::Material& m, scene::FullyRoughRule fully_rough) {
     MaterialBlock block{};
     block.base_color = m.base_color;
     block.emissive_nit = glm::vec4(m.emissive_nit, m.alpha_cutoff);
@@ -36,8 +36,9 @@ MaterialBlock material_block(const scene::Material& m) {
     block.clearcoat_anisotropy = glm::vec4(m.clearcoat.factor, m.clearcoat.perceptual_roughness,
                                            m.clearcoat.normal_scale, m.anisotropy.strength);
     const float f0 = m.ior > 0.0f ? shading::f0_from_ior(m.ior) : 1.0f;
-    block.f0_rotation = glm::vec4(f0, std::cos(m.anisotropy.rotation_rad),
-                                  std::sin(m.anisotropy.rotation_rad), default_nonmetal(m) ? 1.0f : 0.0f);
+    const float kind = scene::is_fully_rough(m, fully_rough) ? 2.0f : default_nonmetal(m) ? 1.0f : 0.0f;
+    block.f0_rotation =
+        glm::vec4(f0, std::cos(m.anisotropy.rotation_rad), std::sin(m.anisotropy.rotation_rad), kind);
     const auto refs = texture_refs(m);
     for (std::size_t i = 0; i < refs.size(); ++i) {
         const scene::TextureRef& ref = *refs[i];

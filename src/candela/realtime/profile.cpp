@@ -1,12 +1,15 @@
 #include "candela/realtime/profile.hpp"
 
 #include <array>
+#include <cstdio>
 #include <functional>
 
 #include "candela/scene/error.hpp"
 
 namespace candela::realtime {
 namespace {
+
+constexpr std::string_view kFalloffOffset = "falloff-offset-m2";
 
 /// One slot of a profile: its name, the names of its techniques in the order of the enumeration, and access
 /// to it.
@@ -27,10 +30,11 @@ Slot slot(std::string_view name, Technique Profile::*member, std::vector<std::st
 std::vector<Slot> slots() {
     return {slot("diffuse", &Profile::diffuse, {"lambert", "disney", "disney-renormalized"}),
             slot("visibility", &Profile::visibility,
-                 {"smith-correlated", "schlick-smith", "schlick-smith-half-alpha"}),
+                 {"smith-correlated", "schlick-smith", "schlick-smith-half-alpha", "teaching-page"}),
             slot("fresnel", &Profile::fresnel, {"schlick", "spherical-gaussian", "schlick-micro-occlusion"}),
             slot("energy", &Profile::energy, {"none", "compensated"}),
-            slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-nonmetal", "fully-rough"}),
+            slot("dfg", &Profile::dfg, {"table", "env-brdf-approx", "env-brdf-nonmetal"}),
+            slot("fully-rough", &Profile::fully_rough, {"none", "per-material", "roughness-1", "all"}),
             slot("sun-specular", &Profile::sun_specular, {"full", "d-approx", "d-approx-printed"}),
             slot("reflection", &Profile::reflection,
                  {"mirror-direction", "dominant-direction", "dominant-direction-fit", "fitted-direction",
@@ -43,7 +47,9 @@ std::vector<Slot> slots() {
             slot("area-direction", &Profile::area_direction, {"representative-point", "light-position"}),
             slot("area-specular", &Profile::area_specular,
                  {"ltc", "representative-point", "dominant-direction", "specular-d-widening",
-                  "dominant-direction-normalized"}),
+                  "dominant-direction-normalized", "teaching-page"}),
+            slot("falloff", &Profile::falloff,
+                 {"inverse-square", "inverse-square-offset", "exponent-2", "exponent-8"}),
             slot("shadow-filter", &Profile::shadow_filter, {"pcss", "pcf"}),
             slot("contact-shadows", &Profile::contact_shadows, {"none", "screen-march"}),
             slot("exposure", &Profile::exposure, {"standard-output", "saturation"})};
@@ -87,6 +93,7 @@ Profile ue4() {
             .area_diffuse = AreaDiffuseTechnique::light_position,
             .area_direction = AreaDirectionTechnique::light_position,
             .area_specular = AreaSpecularTechnique::representative_point,
+            .falloff = FalloffTechnique::offset,
             .shadow_filter = ShadowFilterTechnique::pcf};
 }
 
@@ -96,14 +103,31 @@ Profile mobile() {
     // Karis 2014 has no k for analytic lights of their own.
     profile.visibility = VisibilityTechnique::schlick_smith_half_alpha;
     profile.dfg = DfgTechnique::env_brdf_approx_nonmetal;
+    profile.fully_rough = scene::FullyRoughRule::flagged;
     profile.sun_specular = SunSpecularTechnique::d_approx;
+    return profile;
+}
+
+/// The teaching page on the Unreal Engine 4 subset with its errors corrected: what it quotes from Karis 2013.
+Profile lesson() {
+    Profile profile = ue4();
+    profile.name = "lesson";
+    return profile;
+}
+
+/// The page word by word: shading/teaching_page.glsl.
+Profile lesson_literal() {
+    Profile profile = lesson();
+    profile.name = "lesson-literal";
+    profile.visibility = VisibilityTechnique::teaching_page;
+    profile.area_specular = AreaSpecularTechnique::teaching_page;
     return profile;
 }
 
 }  // namespace
 
 Profile profile_by_name(const std::string& name, const std::string& where) {
-    for (const Profile& profile : {best(), frostbite(), ue4(), mobile()}) {
+    for (const Profile& profile : {best(), frostbite(), ue4(), mobile(), lesson(), lesson_literal()}) {
         if (profile.name == name) return profile;
     }
     throw Error(Fault::usage, "no such profile: " + name, where,
@@ -111,7 +135,7 @@ Profile profile_by_name(const std::string& name, const std::string& where) {
 }
 
 std::vector<std::string> profile_names() {
-    return {"best", "frostbite", "ue4", "mobile"};
+    return {"best", "frostbite", "ue4", "mobile", "lesson", "lesson-literal"};
 }
 
 void set_technique(Profile& profile, std::string_view slot_name, std::string_view technique,
@@ -126,7 +150,17 @@ void set_technique(Profile& profile, std::string_view slot_name, std::string_vie
         throw input_error("no such technique: " + std::string(technique), where,
                           "one of " + list(s.techniques));
     }
+    if (slot_name == kFalloffOffset) throw input_error("is not a number of m^2", where);
+    names.push_back(kFalloffOffset);
     throw input_error("no such slot of a profile: " + std::string(slot_name), where, "one of " + list(names));
+}
+
+void set_parameter(Profile& profile, std::string_view name, double value, const std::string& where) {
+    if (name != kFalloffOffset)
+        throw input_error("a technique's name is a string", where,
+                          "the only number of a profile is " + std::string(kFalloffOffset));
+    if (!(value >= 0.0 && value <= 1.0e6)) throw input_error("is not from 0 to 1e6 m^2", where);
+    profile.falloff_offset_m2 = static_cast<float>(value);
 }
 
 std::string describe(const Profile& profile) {
@@ -134,6 +168,11 @@ std::string describe(const Profile& profile) {
     for (const Slot& s : slots()) {
         text +=
             (text.empty() ? "" : " ") + std::string(s.name) + "=" + std::string(s.techniques[s.get(profile)]);
+    }
+    if (profile.falloff == FalloffTechnique::offset) {
+        std::array<char, 32> number{};
+        std::snprintf(number.data(), number.size(), "%g", double(profile.falloff_offset_m2));
+        text += " " + std::string(kFalloffOffset) + "=" + number.data();
     }
     return text;
 }

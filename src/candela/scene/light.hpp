@@ -48,8 +48,9 @@ struct Light {
     float intensity = 1.0f;
     float range_m = std::numeric_limits<float>::infinity();  ///< window attenuation about `position`
 
-    float inner_cone_rad = 0.0f;                ///< spot: half angle
-    float outer_cone_rad = 0.785398163f;        ///< spot: half angle
+    float inner_cone_rad = 0.0f;                ///< spot, disk with a cone: half angle
+    float outer_cone_rad = 0.785398163f;        ///< spot, disk with a cone: half angle
+    bool cone = false;                          ///< disk: fades by angle as a spot does (Frostbite listing 9)
     float horizontal_angle_rad = 0.785398163f;  ///< frustum: full opening angle along `right`
     float vertical_angle_rad = 0.785398163f;    ///< frustum: full opening angle along up()
     float angular_diameter_rad = 0.0093f;       ///< sun: 0.533 degrees

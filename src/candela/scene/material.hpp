@@ -114,6 +114,23 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     bool unlit = false;
+    /// To be shaded without highlights where the profile asks for it (Karis 2014): see is_fully_rough().
+    bool fully_rough = false;
 };
+
+/// Which materials a profile shades without a specular lobe (shading/fully_rough.glsl).
+enum class FullyRoughRule : std::uint8_t {
+    none,
+    flagged,      ///< those that say so, as Karis 2014 has it
+    roughness_1,  ///< these, and those of roughness 1 without a texture for it
+    all
+};
+
+[[nodiscard]] inline bool is_fully_rough(const Material& m, FullyRoughRule rule) noexcept {
+    if (m.unlit || rule == FullyRoughRule::none) return false;
+    const bool constant_1 = m.perceptual_roughness >= 1.0f && !m.metallic_roughness_texture;
+    return rule == FullyRoughRule::all || m.fully_rough ||
+           (rule == FullyRoughRule::roughness_1 && constant_1);
+}
 
 }  // namespace candela::scene

@@ -7,7 +7,6 @@
 
 #include "candela/truth/light_bounds.hpp"
 #include "candela/truth/punctual_light.hpp"
-#include "shading/lights/punctual.glsl"
 #include "shading/lights/triangle.glsl"
 
 namespace candela::truth {
@@ -58,11 +57,13 @@ struct SeenTriangle {
 
 }  // namespace
 
-LightSampler::LightSampler(const scene::Scene& scene, const Geometry& geometry, const SurfaceReader& surfaces)
+LightSampler::LightSampler(const scene::Scene& scene, const Geometry& geometry, const SurfaceReader& surfaces,
+                           const shading::Falloff& falloff)
     : scene_(&scene),
       geometry_(&geometry),
       surfaces_(&surfaces),
       textures_(scene),
+      falloff_(falloff),
       distant_(scene),
       light_of_triangle_(geometry.parts().size()) {
     std::vector<LightBounds> bounds;
@@ -154,7 +155,7 @@ LightSample LightSampler::sample_near(const glm::vec3& point, const glm::vec3& n
     LightSample out = !light.light ? sample_triangle(light, point, u)
                       : scene::is_shape(light.light->type)
                           ? sample_shape(*light.light, point, u)
-                          : sample_punctual(*light.light, *scene_, point, u.x);
+                          : sample_punctual(*light.light, *scene_, falloff_, point, u.x);
     out.pdf *= chosen.probability;
     return out;
 }
@@ -168,8 +169,8 @@ LightSample LightSampler::sample_shape(const scene::Light& light, const glm::vec
     out.distance_m = drawn.distance_m;
     out.pdf = drawn.pdf;
     if (!(drawn.pdf > 0.0f)) return out;
-    out.light = shape_nit(light, {point, drawn.direction}, drawn.distance_m) *
-                shading::window_attenuation(glm::distance(point, light.position), light.range_m);
+    out.light =
+        shape_nit(light, {point, drawn.direction}, drawn.distance_m) * shape_attenuation(light, point);
     return out;
 }
 

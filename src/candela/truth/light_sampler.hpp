@@ -6,6 +6,7 @@
 #include "candela/truth/light_tree.hpp"
 #include "candela/truth/shape_tree.hpp"
 #include "candela/truth/surface_point.hpp"
+#include "shading/lights/falloff_windows.glsl"
 
 namespace candela::truth {
 
@@ -13,7 +14,9 @@ namespace candela::truth {
 /// them must outlive it.
 class LightSampler {
   public:
-    LightSampler(const scene::Scene& scene, const Geometry& geometry, const SurfaceReader& surfaces);
+    /// falloff: of lights without extent, the profile's.
+    LightSampler(const scene::Scene& scene, const Geometry& geometry, const SurfaceReader& surfaces,
+                 const shading::Falloff& falloff = {});
 
     [[nodiscard]] bool any_near() const noexcept { return !lights_.empty(); }
     [[nodiscard]] const DistantLights& distant() const noexcept { return distant_; }
@@ -53,6 +56,7 @@ class LightSampler {
     const Geometry* geometry_;
     const SurfaceReader* surfaces_;
     Textures textures_;
+    shading::Falloff falloff_;
     std::vector<NearLight> lights_;
     std::vector<std::uint32_t> shapes_;  ///< of lights_
     DistantLights distant_;

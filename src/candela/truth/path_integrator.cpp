@@ -113,13 +113,13 @@ PathIntegrator::PathIntegrator(const scene::Scene& scene, const PathOptions& opt
     : scene_(&scene),
       options_(options),
       geometry_(scene),
-      surfaces_(scene, geometry_),
+      surfaces_(scene, geometry_, options.fully_rough),
       environment_(environment_of(scene, options)),
       environment_form_(shading::image_based_form(options.techniques)),
       albedo_(options.techniques.specular_visibility != shading::kVisibilitySmithCorrelated),
       any_transparency_(surfaces_.any_transparency()),
       background_visible_(options.furnace || (scene.environment && scene.environment->visible)) {
-    if (!options.furnace) lights_.emplace(scene, geometry_, surfaces_);
+    if (!options.furnace) lights_.emplace(scene, geometry_, surfaces_, options.falloff);
 }
 
 glm::vec3 PathIntegrator::behind(const Ray& ray, const Hit& hit) const {
@@ -271,8 +271,7 @@ void PathIntegrator::add_shapes(Walk& walk, float surface_m) const {
     lights_->shapes().each_entry(ray, [&](std::uint32_t shape, float distance_m) {
         const scene::Light& light = lights_->shape(shape);
         if (options_.shadows && light.casts_shadow && distance_m * kBeforeLight > surface_m) return;
-        const float window =
-            shading::window_attenuation(glm::distance(ray.origin, light.position), light.range_m);
+        const float window = shape_attenuation(light, ray.origin);
         if (window <= 0.0f) return;
         const float share_of_draw =
             weight(Draws::material, walk.last_pdf, lights_->pdf_shape(shape, ray, walk.last_normal));

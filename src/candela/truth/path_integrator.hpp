@@ -22,7 +22,9 @@ enum class Draws : std::uint8_t {
 
 struct PathOptions {
     shading::BsdfTechniques techniques{};  ///< of the material model: the profile's
-    int max_bounces = 64;                  ///< surfaces after the first that a path may meet
+    scene::FullyRoughRule fully_rough = scene::FullyRoughRule::none;  ///< the profile's
+    shading::Falloff falloff{};                                       ///< the profile's
+    int max_bounces = 64;      ///< surfaces after the first that a path may meet
     bool direct_only = false;  ///< light that comes straight from a source, as area-light techniques see it
     bool shadows = true;       ///< without them: direct light as if nothing were in its way
     bool furnace = false;      ///< a uniform environment of luminance 1 is the only light

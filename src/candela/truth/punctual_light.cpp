@@ -45,8 +45,8 @@ LightSample sample_line(const scene::Light& light, const glm::vec3& point, float
 
 }  // namespace
 
-LightSample sample_punctual(const scene::Light& light, const scene::Scene& scene, const glm::vec3& point,
-                            float u) {
+LightSample sample_punctual(const scene::Light& light, const scene::Scene& scene,
+                            const shading::Falloff& falloff, const glm::vec3& point, float u) {
     if (light.type == scene::LightType::line) return sample_line(light, point, u);
     LightSample out;
     out.delta = true;
@@ -56,7 +56,7 @@ LightSample sample_punctual(const scene::Light& light, const scene::Scene& scene
     if (!(out.distance_m > 0.0f)) return out;
     out.direction = to_light / out.distance_m;
     out.light = light.color * (light.intensity * angular(light, scene, -out.direction) *
-                               shading::distance_attenuation(to_light, light.range_m));
+                               shading::distance_attenuation(falloff, to_light, light.range_m));
     out.pdf = 1.0f;
     return out;
 }

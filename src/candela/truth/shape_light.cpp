@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "shading/lights/disk_sampling.glsl"
+#include "shading/lights/punctual.glsl"
 #include "shading/lights/rectangle_sampling.glsl"
 #include "shading/lights/tube_sampling.glsl"
 
@@ -95,6 +96,16 @@ glm::vec3 shape_normal(const scene::Light& light, const Ray& ray, float distance
     if (light.type == scene::LightType::tube)
         outward = -shading::nearest_of_segment(-outward, light.right, light.half_width_m);
     return outward / std::max(glm::length(outward), 1e-20f);
+}
+
+float shape_attenuation(const scene::Light& light, const glm::vec3& point) {
+    const glm::vec3 to_center = light.position - point;
+    const float window = shading::window_attenuation(glm::length(to_center), light.range_m);
+    if (light.type != scene::LightType::disk || !light.cone) return window;
+    return window * shading::disk_cone_attenuation(to_center, FlatFrame(light, to_center).shines,
+                                                   light.radius_m,
+                                                   std::max(std::cos(light.inner_cone_rad), 0.0f),
+                                                   std::max(std::cos(light.outer_cone_rad), 0.0f));
 }
 
 scene::Aabb shape_box(const scene::Light& light) {

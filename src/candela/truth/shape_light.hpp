@@ -15,6 +15,8 @@ namespace candela::truth {
 [[nodiscard]] float pdf_shape(const scene::Light& light, const glm::vec3& point, const glm::vec3& direction);
 /// Distance in m to where a ray enters the light from its bright side; kNoEntry when it does not.
 [[nodiscard]] float enter_shape(const scene::Light& light, const Ray& ray);
+/// What the range and, of a disk, the cone leave of the light at a point.
+[[nodiscard]] float shape_attenuation(const scene::Light& light, const glm::vec3& point);
 /// Outward unit normal where `ray` enters after distance_m.
 [[nodiscard]] glm::vec3 shape_normal(const scene::Light& light, const Ray& ray, float distance_m);
 [[nodiscard]] scene::Aabb shape_box(const scene::Light& light);

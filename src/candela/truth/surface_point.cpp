@@ -6,6 +6,7 @@
 
 #include "shading/basis.glsl"
 #include "shading/fresnel.glsl"
+#include "shading/fully_rough.glsl"
 #include "shading/ray_origin.glsl"
 
 namespace candela::truth {
@@ -221,6 +222,10 @@ SurfacePoint SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     read_normals(at, normals, m, facing, out);
     read_base(at, m, base, out.surface);
     if (out.layered) read_layers(at, m, out);
+    if (scene::is_fully_rough(m, fully_rough_)) {
+        out.surface = shading::fully_rough_surface(out.surface);
+        out.layered = false;
+    }
     out.smooth_position =
         shading::smooth_surface(out.position, {1.0f - hit.u - hit.v, hit.u, hit.v}, corners[0], corners[1],
                                 corners[2], normals[0] * facing, normals[1] * facing, normals[2] * facing);

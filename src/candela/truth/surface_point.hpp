@@ -32,8 +32,10 @@ struct SurfacePoint {
 /// Evaluates materials at hits. Scene and geometry must outlive it; may be used from several threads at once.
 class SurfaceReader {
   public:
-    SurfaceReader(const scene::Scene& scene, const Geometry& geometry)
-        : scene_(&scene), geometry_(&geometry), textures_(scene) {}
+    /// fully_rough: the profile's.
+    SurfaceReader(const scene::Scene& scene, const Geometry& geometry,
+                  scene::FullyRoughRule fully_rough = scene::FullyRoughRule::none)
+        : scene_(&scene), geometry_(&geometry), textures_(scene), fully_rough_(fully_rough) {}
 
     /// What of the light passes this hit unseen: 1 - alpha of blended surfaces, 0 or 1 of masked ones, 0 of
     /// others.
@@ -61,6 +63,7 @@ class SurfaceReader {
     const scene::Scene* scene_;
     const Geometry* geometry_;
     Textures textures_;
+    scene::FullyRoughRule fully_rough_;
 };
 
 }  // namespace candela::truth

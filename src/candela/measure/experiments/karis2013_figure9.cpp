@@ -1,3 +1,6 @@
+#include <glm/geometric.hpp>
+
+#include "candela/measure/lit_scene.hpp"
 #include "candela/measure/numerics.hpp"
 #include "shading/lights/falloff_windows.glsl"
 
@@ -5,12 +8,14 @@ namespace candela::measure::experiments {
 namespace {
 
 using namespace shading;
+using glm::dvec3;
 
 constexpr double kRange_m = 10.0;
 constexpr double kOffset_m2 = 1.0e-4;  ///< 1 cm^2: one unit of the paper's engine
 
 double equation9(double distance_m, double offset_m2) {
-    return double(distance_attenuation_offset(float(distance_m), float(kRange_m), float(offset_m2)));
+    return double(distance_attenuation({kFalloffOffset, float(offset_m2)},
+                                       vec3(float(distance_m), 0.0f, 0.0f), float(kRange_m)));
 }
 double windowed(double distance_m) {
     return double(distance_attenuation(vec3(float(distance_m), 0.0f, 0.0f), float(kRange_m)));
@@ -18,7 +23,8 @@ double windowed(double distance_m) {
 /// The falloff of Figure 9's left, scaled to the windowed inverse square at this distance.
 double old_falloff(double distance_m, double exponent, double equal_m) {
     const auto f = [&](double d) {
-        return double(falloff_exponent(float(d), float(kRange_m), float(exponent)));
+        return double(distance_attenuation({exponent == 2.0 ? kFalloffExponent2 : kFalloffExponent8, 0.0f},
+                                           vec3(float(d), 0.0f, 0.0f), float(kRange_m)));
     };
     return f(distance_m) * windowed(equal_m) / f(equal_m);
 }
@@ -33,6 +39,29 @@ double two_stops_m(F f) {
         (f(middle) > 0.25 * f(1.0) ? low : high) = middle;
     }
     return low;
+}
+
+/// A lamp 0.6 m above the floor, as bright on it as the inverse square below itself.
+void add_pictures(Findings& out) {
+    const dvec3 lamp(0.0, 0.6, 0.6);
+    const auto by = [lamp](auto falloff) {
+        return [=](const dvec3& n, const dvec3& position) {
+            const dvec3 to = lamp - position;
+            return falloff(glm::length(to)) * std::max(glm::dot(n, glm::normalize(to)), 0.0);
+        };
+    };
+    const auto inverse_square = [](double d) { return 1.0 / (d * d); };
+    LitScene scene;
+    scene.lamp = [lamp](const dvec3& origin, const dvec3& direction) {
+        return ray_to_sphere(origin, direction, lamp, 0.02);
+    };
+    const auto old = [](double e) { return [e](double d) { return old_falloff(d, e, 0.6); }; };
+    add_lit_figure(out, scene, "Old falloff and inverse square",
+                   {{"before, exponent 2", by(old(2.0)), 0.58},
+                    {"before, exponent 8", by(old(8.0)), 0.45},
+                    {"equation 9, 1 m^2", by([](double d) { return equation9(d, 1.0); }), 0.079},
+                    {"equation 9, 1 cm^2", by([](double d) { return equation9(d, kOffset_m2); }), 0.003}},
+                   by(inverse_square), 2.0);
 }
 
 Findings run() {
@@ -72,6 +101,10 @@ Findings run() {
         within("the same, exponent 8", two(8.0), 4.0, 4.2, "m"),
         at_most("largest value at the range and beyond",
                 std::max(equation9(10.0, kOffset_m2), old_falloff(10.5, 8.0, 2.0)), 0.0)};
+    out.measured.push_back(within("equation 9 with 1 m^2, mean error", metre.mean(), 0.52, 0.53));
+    out.measured.push_back(within("the old falloff, exponent 2, mean error", old[0].mean(), 1.32, 1.37));
+    out.measured.push_back(within("the old falloff, exponent 8, mean error", old[1].mean(), 0.675, 0.7));
+    add_pictures(out);
     const auto x = logspace(0.02, kRange_m, 200);
     const auto visible = [](double e) { return e > 0.0 ? e : std::nan(""); };
     out.plots = {
@@ -90,16 +123,16 @@ Findings run() {
               Stroke::dotted)}}};
     const std::string truth = "windowed inverse square, 0.1 to 8 m of a range of 10 m, relative";
     out.techniques = {
-        {"distance_attenuation_offset, 1 cm^2", "Karis 2013, equation 9",
+        {"falloff inverse-square-offset, 1 cm^2", "Karis 2013, equation 9",
          "the inverse square, ended at a range", truth, "", offset.mean(), offset.max(),
          [] {
              return cost_ns(
                  [](const vec4& u) { return distance_attenuation_offset(u.x, u.y + 1.0f, 1.0e-4f); });
          }},
-        {"falloff_exponent, 2 (equal at 2 m)", "Karis 2013, Figure 9, left", "the inverse square", truth, "",
+        {"falloff exponent-2 (equal at 2 m)", "Karis 2013, Figure 9, left", "the inverse square", truth, "",
          old[0].mean(), old[0].max(),
          [] { return cost_ns([](const vec4& u) { return falloff_exponent(u.x, u.y + 1.0f, 2.0f); }); }},
-        {"falloff_exponent, 8 (equal at 2 m)", "Karis 2013, Figure 9, left", "the inverse square", truth, "",
+        {"falloff exponent-8 (equal at 2 m)", "Karis 2013, Figure 9, left", "the inverse square", truth, "",
          old[1].mean(), old[1].max(),
          [] { return cost_ns([](const vec4& u) { return falloff_exponent(u.x, u.y + 1.0f, 8.0f); }); }}};
     return out;

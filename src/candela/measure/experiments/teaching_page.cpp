@@ -31,7 +31,8 @@ struct Masking {
     double smallest_ratio = 1e9;
     double not_reciprocal = 1.0;  ///< f(l,v) / f(v,l), largest
     double largest_g = 0.0;
-    ErrorStatistics error;  ///< of G, against Karis's
+    ErrorStatistics error;       ///< of G, against Karis's
+    ErrorStatistics visibility;  ///< of V_TeachingPage, relative, against G over 4 n.l n.v
 };
 
 Masking masking() {
@@ -47,6 +48,7 @@ Masking masking() {
                 const double karis = double(G1_Schlick(float(l), k) * G1_Schlick(float(v), k));
                 const double ratio = page(l, v) / karis;
                 out.error.add(page(l, v) - karis);
+                out.visibility.add(double(V_TeachingPage(float(v), k)) * 4.0 * l * v / page(l, v) - 1.0);
                 out.largest_ratio = std::max(out.largest_ratio, ratio);
                 out.smallest_ratio = std::min(out.smallest_ratio, ratio);
                 out.not_reciprocal = std::max(out.not_reciprocal, page(l, v) / page(v, l));
@@ -130,7 +132,8 @@ Findings run() {
     const double missing = 1.0 / double(representative_point_sphere_normalization(0.01f, 0.3f, 1.0f));
     Findings out;
     out.text =
-        "D, k and F are Karis's, and alpha is the square of the roughness slider. Three things differ. (1) "
+        "The profile lesson-literal shades word by word, lesson with these errors corrected. D, k and F are "
+        "Karis's, and alpha is the square of the roughness slider. Three things differ. (1) "
         "The page prints n.v in the "
         "denominator of G1 for the light as well: masking is then wrong by a factor between " +
         number(m.smallest_ratio, 2) + " and " + number(m.largest_ratio, 3) + ", G rises to " +
@@ -156,6 +159,8 @@ Findings run() {
         within("G as printed, largest value (1 is the limit)", m.largest_g, 2.2, 2.4),
         within("directional albedo, G as printed over Karis's, largest", brightest, 2.2, 2.33),
         within("f(l,v) / f(v,l) with G as printed, largest (1: reciprocal)", m.not_reciprocal, 49.0, 49.5),
+        at_most("V_TeachingPage (profile lesson-literal) against that G over 4 n.l n.v", m.visibility.max(),
+                1e-5),
         within("representative direction against Karis's, mean", direction.mean(), 5.0, 6.0, "degrees"),
         within("representative direction against Karis's, largest", direction.max(), 29.0, 30.0, "degrees"),
         within("energy without (alpha/alpha')^2, alpha 0.01, radius 0.3", missing, 120.9, 121.1),

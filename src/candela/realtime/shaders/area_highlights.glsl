@@ -19,9 +19,13 @@ vec3 area_ltc(uint group, Light light, mat3 m, vec3 n, vec3 v, AreaLight a) {
 const bool kFlatNormalized = kAreaSpecular != kAreaSpecularDominantDirection;
 
 // The point that stands for the light in a lobe about `mirror`, and the lobe's normalization.
-vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 mirror, float alpha, out float normalization) {
+vec3 area_highlight_point(uint group, int kind, AreaLight a, vec3 v, vec3 mirror, float alpha, out float normalization) {
     float distance_m = length(a.to_center_m);
     normalization = 1.0;
+    // The page has lights of no other shape, and no normalization.
+    if (kAreaSpecular == kAreaSpecularTeachingPage && is_kind(kind, kLightSphere)) {
+        return representative_direction_TeachingPage(a.to_center_m / distance_m, v, mirror, a.radius_m / distance_m);
+    }
     if (is_kind(kind, kLightSun)) {
         // The sun is so small that there is nothing to take back (Frostbite 4.6).
         float angular_radius_rad = atan(a.radius_m, sqrt(1.0 - square(a.radius_m)));
@@ -100,7 +104,7 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3
     } else {
         vec3 mirror = reflect(-v, n);
         if (kAreaSpecular == kAreaSpecularDominantDirection || kAreaSpecular == kAreaSpecularDominantNormalized) mirror = specular_dominant_direction_area(n, mirror, alpha);
-        point = area_highlight_point(group, kind, a, mirror, alpha, normalization);
+        point = area_highlight_point(group, kind, a, v, mirror, alpha, normalization);
     }
     l = direction_of(point);
     return normalization * specular_lobe(techniques(), n, v, l, lobe.perceptual_roughness, alpha, lobe_alpha);

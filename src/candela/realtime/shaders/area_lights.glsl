@@ -29,6 +29,7 @@ const int kAreaSpecularRepresentativePoint = 1;
 const int kAreaSpecularDominantDirection = 2;
 const int kAreaSpecularWidening = 3;
 const int kAreaSpecularDominantNormalized = 4;
+const int kAreaSpecularTeachingPage = 5;
 const int kAreaDirectionLightPosition = 1;
 
 // First and last kind of each group; LightKind in C++ keeps them together.
@@ -139,7 +140,10 @@ AreaLight area_light(uint group, int kind, Light light, vec3 position) {
     }
     a.nit *= window_attenuation(length(a.to_center_m), light.position_range.w);
     if (group == kPolygons) place_rectangle(light, a);
-    if (group == kEllipses) place_ellipse(kind, light, a);
+    if (group == kEllipses) {
+        place_ellipse(kind, light, a);
+        if (is_kind(kind, kLightDisk)) a.nit *= disk_cone(light, a.to_center_m, a.direction);
+    }
     if (is_kind(kind, kLightLine)) a.radius_m = kLineRadius_m;
     return a;
 }

@@ -50,6 +50,9 @@ vec3 window_times_color(Light light, vec3 to_center_m) {
 // Luminance of a shape where a ray enters it.
 vec3 light_luminance(Light light, vec3 to_center_m, vec3 l, float distance_m) {
     vec3 nit = window_times_color(light, to_center_m);
+    if (type_of(light) == kLightDisk) {
+        return nit * disk_cone(light, to_center_m, light.direction_a.xyz * shining_side(light, to_center_m));
+    }
     if (type_of(light) != kLightRectangle || light.links.w < 0) return nit;
     vec3 up = cross(light.right_b.xyz, light.direction_a.xyz);
     vec2 uv = rectangle_image_uv(l * distance_m - to_center_m, light.right_b.xyz, up, light.direction_a.w, light.right_b.w);

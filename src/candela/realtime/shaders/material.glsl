@@ -4,6 +4,7 @@
 
 #include "base_color.glsl"
 #include "footprint.glsl"
+#include "fully_rough.glsl"
 #include "gbuffer.glsl"
 
 layout(location = 0) in vec3 in_normal;
@@ -137,8 +138,8 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
             s.coat_perceptual_roughness = sqrt(alpha_filtered(alpha, dndx, dndy));
         }
     }
-    g.default_nonmetal = material.f0_rotation.w != 0.0;
-    g.surface = s;
+    g.default_nonmetal = material.f0_rotation.w == 1.0;
+    g.surface = material.f0_rotation.w == 2.0 ? fully_rough_surface(s) : s;
     return g;
 }
 

@@ -35,7 +35,6 @@ const bool kHasLights = kLightKinds != 0u;
 
 const int kDfgTable = 0;
 const int kDfgNonmetal = 2;
-const int kDfgFullyRough = 3;
 // C++: SunSpecularTechnique.
 const int kSunSpecularFull = 0;
 const int kSunSpecularPrinted = 2;
@@ -204,10 +203,6 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     if (kNormalMapped) {
         irradiance_over_pi *= hemisphere_above_surface(dot(g.normal, g.surface_normal));
         radiance *= lobe_above_surface(2.0 * NoV * g.normal - v, g.surface_normal, alpha);
-    }
-    if (kDfg == kDfgFullyRough) {
-        lit.indirect_diffuse = fully_rough_color(p.prepared.diffuse, p.prepared.specular_f0) * irradiance_over_pi * g.occlusion;
-        return;
     }
     if (!kShadeLayers) {
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
