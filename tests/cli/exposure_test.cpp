@@ -197,10 +197,11 @@ TEST(ExposureCli, FilesWithoutPhysicalUnitsAreNotBlackInAnyMode) {
                                  view.substr(0, view.find(" --env")) + how);
         for (const Shown* shown : {&alone, &lit}) {
             for (std::size_t i = 0; i < materials.size(); ++i) {
-                // Cards 3 m apart, 31.4 m across the picture.
-                const double x = 0.5 + 3.0 * (double(i) - 0.5 * (count - 1.0)) / (48.0 * 36.0 / 55.0);
+                // Cards 3 m apart; the picture is twice as wide as the 24 mm that the lens throws on 48 m /
+                // 55 mm.
+                const double x = 0.5 + 3.0 * (double(i) - 0.5 * (count - 1.0)) / (2.0 * 48.0 * 24.0 / 55.0);
                 const auto color = shown->at(x, 0.5);
-                EXPECT_GT(std::max({color[0], color[1], color[2]}), 75)
+                EXPECT_GT(std::max({color[0], color[1], color[2]}), 35)
                     << "material " << i << ", " << mode << (shown == &lit ? ", lit" : "");
             }
         }

@@ -39,7 +39,8 @@ float path_ev100(const scene::Scene& s, const scene::Camera& camera) {
     for (std::uint32_t i = 0; i < kSize * kSize; ++i) {
         const double* p = render.film.pixel(i % kSize, i / kSize);
         const glm::dvec4 mean =
-            glm::dvec4(p[0], p[1], p[2], double(o.samples) - p[truth::FilmLayout::unlit + 3]) / double(o.samples);
+            glm::dvec4(p[0], p[1], p[2], double(o.samples) - p[truth::FilmLayout::unlit + 3]) /
+            double(o.samples);
         nit.emplace_back(mean);
     }
     const std::optional<float> ev100 = realtime::metered_ev100(std::span<const glm::vec4>(nit));
@@ -144,7 +145,8 @@ Case night_street() {
 
 /// The sun is outside and comes in nowhere.
 Case closed_room() {
-    Case c{"a closed room with a lamp of 5 lm", {}, scene::look_at({1.6f, 0.4f, 1.6f}, {-1, -0.6f, -1}, 1.2f)};
+    Case c{
+        "a closed room with a lamp of 5 lm", {}, scene::look_at({1.6f, 0.4f, 1.6f}, {-1, -0.6f, -1}, 1.2f)};
     scene::Material wall = grey(0.5f);
     wall.double_sided = true;
     add_room(c.scene, 1.75f, wall);
@@ -156,7 +158,8 @@ Case closed_room() {
 }  // namespace
 
 TEST(MeterAgreement, TheFrameAndThePathTracerMeterAlike) {
-    for (const Case& c : {lit_pool(), unlit_beside_lit(), room_with_window(), night_street(), closed_room()}) {
+    for (const Case& c :
+         {lit_pool(), unlit_beside_lit(), room_with_window(), night_street(), closed_room()}) {
         EXPECT_NEAR(frame_ev100(c.scene, c.camera), path_ev100(c.scene, c.camera), 0.1f) << c.name;
     }
 }

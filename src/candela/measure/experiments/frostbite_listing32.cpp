@@ -48,10 +48,12 @@ Findings run() {
     }
     Findings out;
     out.text =
-        "The peak of GGX averaged over normals of a von Mises-Fisher distribution, against the peak of the widened "
+        "The peak of GGX averaged over normals of a von Mises-Fisher distribution, against the peak of the "
+        "widened "
         "lobe. The paper adds 1 / (2 kappa) to alpha^2 and leaves highlights " +
         number(printed.mean(), 3) + " stops too bright on average, " + number(printed.max(), 3) +
-        " at most: normals of concentration kappa have the slope variance 1 / kappa, and alpha^2 is twice a slope "
+        " at most: normals of concentration kappa have the slope variance 1 / kappa, and alpha^2 is twice a "
+        "slope "
         "variance, so 2 / kappa is what a narrow lobe needs, four times as much. With it they are off by " +
         number(convolved.mean(), 3) + " stops, at most " + number(convolved.max(), 3) +
         ". What is left is that the sum of a Gaussian and GGX is neither.";
@@ -71,8 +73,8 @@ Findings run() {
             "roughness " + number(roughness), lengths,
             [&](double l) { return error_stops(roughness * roughness, l, false); }, Stroke::solid, color));
         plot.series.push_back(curve(
-            "", lengths, [&](double l) { return error_stops(roughness * roughness, l, true); }, Stroke::dashed,
-            color));
+            "", lengths, [&](double l) { return error_stops(roughness * roughness, l, true); },
+            Stroke::dashed, color));
         ++color;
     }
     out.plots = {plot};
@@ -81,7 +83,9 @@ Findings run() {
     out.techniques = {
         {"variance_from_average_normal", "Frostbite section 5.3, listing 32", "a normal map from afar", truth,
          "stops", printed.mean(), printed.max(),
-         [] { return cost_ns([](const vec4& u) { return variance_from_average_normal(0.9f + 0.1f * u.x); }); }},
+         [] {
+             return cost_ns([](const vec4& u) { return variance_from_average_normal(0.9f + 0.1f * u.x); });
+         }},
         {"convolved_variance_from_average_normal", "Wang et al. 2009, with listing 32's kappa",
          "a normal map from afar", truth, "stops", convolved.mean(), convolved.max(), [] {
              return cost_ns(
@@ -93,10 +97,11 @@ Findings run() {
 }  // namespace
 
 Experiment frostbite_listing32() {
-    return {"Lagarde & de Rousiers 2014 (Frostbite)", "Listing 32",
-            "Roughness from the length of an average normal",
-            "The peak of a lobe that is widened for the spread of normals, against the lobe averaged over them.",
-            run};
+    return {
+        "Lagarde & de Rousiers 2014 (Frostbite)", "Listing 32",
+        "Roughness from the length of an average normal",
+        "The peak of a lobe that is widened for the spread of normals, against the lobe averaged over them.",
+        run};
 }
 
 }  // namespace candela::measure::experiments

@@ -14,13 +14,14 @@ struct View {
     vec3 surface_normal;
 };
 
-/// In the frame of the mapped normal: a map of this tilt, and a viewer at an angle to the surface itself whose
-/// azimuth is against the tilt.
+/// In the frame of the mapped normal: a map of this tilt, and a viewer at an angle to the surface itself
+/// whose azimuth is against the tilt.
 View view_of(double tilt_degrees, double view_degrees, double azimuth_degrees) {
     const auto radians = [](double degrees) { return degrees * kPi / 180.0; };
     const double t = radians(tilt_degrees);
     const auto turned = [&](const glm::dvec3& d) {
-        return vec3(glm::dvec3(d.x * std::cos(t) - d.z * std::sin(t), d.y, d.x * std::sin(t) + d.z * std::cos(t)));
+        return vec3(
+            glm::dvec3(d.x * std::cos(t) - d.z * std::sin(t), d.y, d.x * std::sin(t) + d.z * std::cos(t)));
     };
     const double w = radians(view_degrees);
     const double p = radians(azimuth_degrees);
@@ -44,9 +45,9 @@ Kept integral(const View& view, float alpha, float f0) {
         const vec3 h = sample_ggx_vndf(u, view.v, alpha);
         const vec3 l = 2.0f * glm::dot(view.v, h) * h - view.v;
         if (l.z <= 0.0f) continue;
-        const double density =
-            double(pdf_reflected(pdf_ggx_vndf(view.v, h, alpha), glm::dot(view.v, h)));
-        const double lobe = double(D_GGX(n, h, alpha) * V_SmithGGXCorrelated(view.v.z, l.z, alpha) * l.z) / density;
+        const double density = double(pdf_reflected(pdf_ggx_vndf(view.v, h, alpha), glm::dot(view.v, h)));
+        const double lobe =
+            double(D_GGX(n, h, alpha) * V_SmithGGXCorrelated(view.v.z, l.z, alpha) * l.z) / density;
         const double grazing = std::pow(1.0 - double(glm::dot(view.v, h)), 5.0) * (1.0 - double(f0));
         all += lobe * (double(f0) + grazing);
         rise += lobe * grazing;
@@ -71,8 +72,8 @@ Findings run() {
                     const vec3 mirror = 2.0f * view.v.z * n - view.v;
                     for (const float f0 : {1.0f, 0.04f}) {
                         const Kept truth = integral(view, alpha, f0);
-                        const double estimate = double(lobe_above_surface(mirror, n, view.surface_normal, alpha,
-                                                                          float(truth.fresnel_rise)));
+                        const double estimate = double(lobe_above_surface(mirror, n, view.surface_normal,
+                                                                          alpha, float(truth.fresnel_rise)));
                         (f0 == 1.0f ? metal : dielectric).add(estimate - truth.part);
                         Series& s = f0 == 1.0f ? seen : seen_dielectric;
                         s.x.push_back(truth.part);
@@ -84,10 +85,12 @@ Findings run() {
     }
     Findings out;
     out.text =
-        "A normal map turns part of a lobe below the surface, where no light comes from. What is left of it under a "
+        "A normal map turns part of a lobe below the surface, where no light comes from. What is left of it "
+        "under a "
         "uniform surrounding is estimated within " +
-        number(metal.mean(), 2) + " of the whole lobe on average for metals and " + number(dielectric.mean(), 2) +
-        " for dielectrics, at most " + number(std::max(metal.max(), dielectric.max()), 2) +
+        number(metal.mean(), 2) + " of the whole lobe on average for metals and " +
+        number(dielectric.mean(), 2) + " for dielectrics, at most " +
+        number(std::max(metal.max(), dielectric.max()), 2) +
         ": at grazing view towards the tilt, where shadowing cuts the lobe a second time.";
     out.measured = {at_most("metal, mean error", metal.mean(), 0.025),
                     at_most("metal, largest error", metal.max(), 0.14),
@@ -98,7 +101,8 @@ Findings run() {
                   {"integral", 0.0, 1.0},
                   {"estimate", 0.0, 1.0},
                   {seen, seen_dielectric,
-                   curve("equal", linspace(0.0, 1.0, 2), [](double x) { return x; }, Stroke::dashed)}}};
+                   curve(
+                       "equal", linspace(0.0, 1.0, 2), [](double x) { return x; }, Stroke::dashed)}}};
     const auto cost = [] {
         return cost_ns([](const vec4& u) {
             const vec3 n(0.0f, 0.0f, 1.0f);
