@@ -135,6 +135,7 @@ int main(int argc, char** argv) {
     const int frames = argc > 1 ? std::max(std::atoi(argv[1]), 1) : 15;
     realtime::RendererOptions options;
     options.profile = realtime::profile_by_name("best");
+    options.half_light = true;
     if (argc > 3) {
         options.width = static_cast<std::uint32_t>(std::max(std::atoi(argv[2]), 16));
         options.height = static_cast<std::uint32_t>(std::max(std::atoi(argv[3]), 16));

@@ -31,6 +31,18 @@ FN float alpha_from_average_normal(float alpha, float average_length) {
     return sqrt(saturate(alpha * alpha + variance_from_average_normal(average_length)));
 }
 
+// The same as the convolution of both lobes asks for: normals of concentration kappa have the slope variance 1 / kappa in each
+// direction, which is a spherical Gaussian of half-vectors of sharpness kappa; GGX of alpha has the sharpness 2 / alpha^2 at its
+// peak, and the inverse sharpnesses of a convolution add (Wang et al. 2009, "All-Frequency Rendering of Dynamic,
+// Spatially-Varying Reflectance"). 2 / kappa: four times listing 32's.
+CONSTANT float kConvolvedOverListing32 = 4.0f;
+FN float convolved_variance_from_average_normal(float average_length) {
+    return kConvolvedOverListing32 * variance_from_average_normal(average_length);
+}
+
+CONSTANT int kNormalMapFilterConvolved = 0;
+CONSTANT int kNormalMapFilterAverageLength = 1;
+
 // How a normal map's scale, which multiplies the slopes, changes the variance of its normals about their mean, whose z is
 // normal_z before scaling. A slope m turns the normal by dm / (1 + m^2) along its tilt and by dm / sqrt(1 + m^2) across it;
 // the mean of both squares. scale^2 on a flat map (Han et al. 2007 and Toksvig 2005 scale no maps; from the geometry).
@@ -48,10 +60,14 @@ FN float average_normal_texel(float average_length) {
     return 1.0f - sqrt(saturate(1.0f - average_length));
 }
 
-// Perceptual roughness under a normal map: average_length and normal_z of the map itself, before `scale`.
-FN float perceptual_roughness_under_map(float perceptual_roughness, float average_length, float normal_z, float scale) {
+// Perceptual roughness under a normal map: average_length and normal_z of the map itself, before `scale`. filter_technique: one
+// of kNormalMapFilter*.
+FN float perceptual_roughness_under_map(float perceptual_roughness, float average_length, float normal_z, float scale,
+                                        int filter_technique) {
     float alpha = perceptual_roughness * perceptual_roughness;
-    float variance = variance_from_average_normal(average_length) * scaled_normal_variance(normal_z, scale);
+    float variance = filter_technique == kNormalMapFilterConvolved ? convolved_variance_from_average_normal(average_length)
+                                                                   : variance_from_average_normal(average_length);
+    variance *= scaled_normal_variance(normal_z, scale);
     return sqrt(sqrt(saturate(alpha * alpha + variance)));
 }
 

@@ -64,6 +64,7 @@ int bench(const BenchOptions& options) {
     renderer_options.height = job.height;
     renderer_options.profile = job.profile;
     renderer_options.tone_curve = job.tone_curve;
+    renderer_options.half_light = true;
     renderer_options.shadows = {shadows_of(options.job.shadows, "realtime") == Shadows::map,
                                 options.job.shadows.atlas_texels};
     fill_local_light(device, job, renderer_options.shadows);

@@ -34,6 +34,12 @@ float white_nit(const scene::Scene& scene) {
     return realtime::typical_illuminance_lx(lights, bounds) * shading::INV_PI;
 }
 
+io::StageUnits units_of(const JobOptions& options, const io::Stage& stage) {
+    if (!options.units) return stage.units.value_or(io::StageUnits::automatic);
+    if (*options.units == "absolute") return io::StageUnits::absolute;
+    return *options.units == "relative" ? io::StageUnits::relative : io::StageUnits::automatic;
+}
+
 }  // namespace
 
 void add_emission_options(CLI::App& command, JobOptions& o) {
@@ -41,24 +47,24 @@ void add_emission_options(CLI::App& command, JobOptions& o) {
         .add_option(
             "--units", o.units,
             "What the scene file's emission is in: absolute (cd/m2), relative (1 = a white surface under "
-            "the scene's light), auto (relative where the scene brings no light)")
-        ->check(CLI::IsMember({"auto", "absolute", "relative"}))
-        ->capture_default_str();
+            "the scene's light), auto (relative where the scene brings no light); auto unless told otherwise")
+        ->check(CLI::IsMember({"auto", "absolute", "relative"}));
     command.add_option("--emissive-scale", o.emissive_scale, "Multiplies the scene file's emission")
         ->check(number_in(0.0, 1e12));
 }
 
-bool set_emission_units(const JobOptions& options, bool brings_no_light, Job& job) {
+bool set_emission_units(const JobOptions& options, const io::Stage& stage, bool brings_no_light, Job& job) {
+    const io::StageUnits how = units_of(options, stage);
     const float brightest = brightest_emission(job.scene);
     EmissionUnits& units = job.emission;
-    units.relative = options.units == "relative" ||
-                     (options.units == "auto" && brings_no_light && brightest <= kLargestRelative);
+    units.relative = how == io::StageUnits::relative ||
+                     (how == io::StageUnits::automatic && brings_no_light && brightest <= kLargestRelative);
     units.nit_per_unit = 1.0f;
     if (units.relative && brightest > 0.0f) {
         const bool dark = !brings_no_light && !job.scene.environment && job.scene.lights.empty();
         units.nit_per_unit = dark ? kDisplayWhite_nit : white_nit(job.scene);
     }
-    units.nit_per_unit *= options.emissive_scale;
+    units.nit_per_unit *= options.emissive_scale.value_or(stage.emissive_scale.value_or(1.0f));
     for (scene::Material& m : job.scene.materials) m.emissive_nit *= units.nit_per_unit;
     return units.relative && brightest > 0.0f;
 }

@@ -57,7 +57,7 @@ json scene_json(const JobOptions& options) {
         set_environment(options, staged.stage, job);
     else {
         refuse_options_of_no_environment(options, "the scene");
-        set_emission_units(options, !job.scene.environment && job.scene.lights.empty(), job);
+        set_emission_units(options, staged.stage, !job.scene.environment && job.scene.lights.empty(), job);
     }
     const scene::Scene& scene = job.scene;
     json out{{"file", options.scene_file},

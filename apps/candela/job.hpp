@@ -26,8 +26,8 @@ struct JobOptions : SceneFileOptions {
     std::optional<bool> env_visible;
     EnvironmentFileOptions env_file;
     bool env_keep_sun = false;
-    std::string units = "auto";  ///< of the scene file's emission: auto, absolute or relative
-    float emissive_scale = 1.0f;
+    std::optional<std::string> units;  ///< of the scene file's emission: auto, absolute or relative
+    std::optional<float> emissive_scale;
     std::string size = "1280x720";
     float line_width_px = 1.0f;
     std::optional<std::uint32_t> width;

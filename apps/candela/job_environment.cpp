@@ -31,8 +31,9 @@ bool set_file(io::ReadEnvironment picture, Job& job) {
 }
 
 /// What the stage says; returns the illuminance that it asks for, 0 to leave the scale as it is.
-float set_stage_environment(const io::StageEnvironment& e, Job& job, std::optional<scene::Light>& sun,
-                            bool& absolute) {
+float set_stage_environment(io::StageEnvironment e, const std::optional<scene::MemoryBudget>& memory,
+                            Job& job, std::optional<scene::Light>& sun, bool& absolute) {
+    e.options.memory = memory;
     if (e.sky)
         set_sky(*e.sky, job, sun);
     else if (e.file.empty())
@@ -94,7 +95,7 @@ void choose_environment(const JobOptions& options, const io::Stage& stage, Job& 
     if (stage_counts && stage.environment->sky && options.env_keep_sun)
         throw Error(Fault::usage, "has no effect on the stage's sky, whose sun is a light of its own",
                     "--env-keep-sun");
-    if (stage_counts) lux = set_stage_environment(*stage.environment, job, sun, absolute);
+    if (stage_counts) lux = set_stage_environment(*stage.environment, options.memory, job, sun, absolute);
     if (sky || options.environment == "studio") absolute = true;
     if (sky)
         set_sky(*sky, job, sun);
@@ -102,9 +103,9 @@ void choose_environment(const JobOptions& options, const io::Stage& stage, Job& 
         job.scene.environment = bake::studio_environment();
     else if (!options.environment.empty()) {
         check_environment_name(options.environment);
-        absolute = set_file(
-            io::read_environment(options.environment, job.diagnostics, environment_options(options.env_file)),
-            job);
+        io::EnvironmentOptions how = environment_options(options.env_file);
+        how.memory = options.memory;
+        absolute = set_file(io::read_environment(options.environment, job.diagnostics, how), job);
     }
     if (!job.scene.environment && job.scene.lights.empty()) {
         job.scene.environment = bake::studio_environment();
@@ -138,7 +139,7 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
     const bool brings_no_light = options.environment.empty() && !stage.environment &&
                                  !job.scene.environment && job.scene.lights.empty();
     choose_environment(options, stage, job);
-    const bool relative = set_emission_units(options, brings_no_light, job);
+    const bool relative = set_emission_units(options, stage, brings_no_light, job);
     if (!brings_no_light) return;
     std::string text = "the scene brings no light: lit by the built-in studio (--env FILE, --env none)";
     if (relative)

@@ -138,7 +138,7 @@ LocalLightReport fill_reflection_probes(const gpu::Device& device, Job& job,
     const auto start = Clock::now();
     // What the volumes hold follows from the scene and the settings, as the probes' pictures do.
     const std::uint64_t key = scene_fingerprint(
-        job.scene, "captures 3 " + realtime::describe(job.profile) + " " + device_line(device.info()) + " " +
+        job.scene, "captures 4 " + realtime::describe(job.profile) + " " + device_line(device.info()) + " " +
                        std::to_string(options.samples) + " " + std::to_string(options.passes) + " " +
                        std::to_string(shadows.maps) + " " + std::to_string(shadows.atlas_texels));
     report.file = cache_file(key, "probes");

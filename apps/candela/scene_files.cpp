@@ -48,7 +48,8 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
                      "Refuse files that are drawn only with a warning, as a validator would");
     command.add_option_function<std::string>(
         "--memory", [&o](const std::string& text) { o.memory = scene::memory_from_text(text, "--memory"); },
-        "Most memory that the scene may take, such as 6G (7/8 of what is free)");
+        "Most memory that the scene may take, and its environment beside it, such as 6G (7/8 of what is "
+        "free)");
 }
 
 StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostics) {

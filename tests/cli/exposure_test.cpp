@@ -1,4 +1,5 @@
 // Exposure, units of emission and unlit colours as the command line gives them, the same in every mode.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -128,6 +129,82 @@ TEST(ExposureCli, AFileWithOneDimLightIsExposedForIt) {
     for (const char* mode : {"realtime", "path"}) {
         const Shown s = render(folder, cards({kWhite}, light, node), kView + std::string(" --mode ") + mode);
         EXPECT_NEAR(s.at(0.32, 0.5)[1], 118, 12) << mode;
+    }
+}
+
+TEST(ExposureCli, AStageSaysWhatEmissionIsInAndTheCommandLineWins) {
+    const TemporaryFolder folder;
+    const std::string scene = cards({kWhite, kEmissive});
+    const auto nit_per_unit = [&](const std::string& stage, const std::string& options) {
+        spit(folder / "a.stage.json", stage);
+        const Shown s =
+            render(folder, scene, kView + " --stage " + (folder / "a.stage.json") + " " + options);
+        return s.result["units"]["nit_per_unit"].get<float>();
+    };
+    const float studio = nit_per_unit("{}", "");
+    EXPECT_GT(studio, 100.0f);
+    EXPECT_EQ(nit_per_unit(R"({"units": "absolute"})", ""), 1.0f);
+    EXPECT_EQ(nit_per_unit(R"({"units": "absolute", "emissive_scale": 7})", ""), 7.0f);
+    EXPECT_EQ(nit_per_unit(R"({"units": "absolute"})", "--units relative"), studio);
+    EXPECT_EQ(nit_per_unit(R"({"emissive_scale": 0.5})", "--emissive-scale 2"), 2.0f * studio);
+    // A stage with light of its own: absolute, unless it says otherwise.
+    const std::string light =
+        R"("lights": [{"type": "directional", "illuminance_lx": 3.1415927, "direction": [0, 0, -1]}])";
+    EXPECT_EQ(nit_per_unit("{" + light + "}", ""), 1.0f);
+    EXPECT_NEAR(nit_per_unit("{" + light + R"(, "units": "relative"})", ""), 1.0f, 1e-3f)
+        << "1 cd/m2 is white here";
+    EXPECT_NEAR(nit_per_unit("{" + light + R"(, "units": "relative", "emissive_scale": 3})", ""), 3.0f,
+                3e-3f);
+}
+
+// Of the kinds of files that other viewers show bright without a unit: nine forms of emission, by themselves
+// and beside one light of 3 lx.
+TEST(ExposureCli, FilesWithoutPhysicalUnitsAreNotBlackInAnyMode) {
+    const TemporaryFolder folder;
+    const std::string png =
+        "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
+        "AAX+Av4N70a4AAAAAElFTkSuQmCC";
+    const auto emissive = [](const std::string& base, const std::string& factor,
+                             const std::string& more = "") {
+        return R"({"pbrMetallicRoughness": {)" + base + R"(}, "emissiveFactor": )" + factor + more + "}";
+    };
+    const std::string black = R"("baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0)";
+    std::vector<std::string> materials{
+        emissive(black, "[1, 1, 1]"),
+        emissive(black, "[1, 0.5, 0.1]"),
+        emissive(black, "[0.3, 0.3, 0.3]"),
+        emissive(R"("baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0)", "[1, 1, 1]"),
+        emissive(R"("baseColorFactor": [0.1, 0.1, 0.1, 1], "roughnessFactor": 0.2)", "[0, 0.8, 1]"),
+        emissive(black, "[1, 1, 1]", R"(, "emissiveTexture": {"index": 0})"),
+        emissive(black, "[1, 1, 1]",
+                 R"(, "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 1}})"),
+        emissive(black, "[1, 1, 1]", R"(, "alphaMode": "MASK", "doubleSided": true)"),
+        emissive(black, "[1, 1, 1]", R"(, "alphaMode": "BLEND")")};
+    const std::string textures = R"(, "textures": [{"source": 0}], "images": [{"uri": ")" + png + R"("}],
+           "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_emissive_strength"])";
+    const std::string light =
+        R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3}]}})";
+    const std::string node = R"({"extensions": {"KHR_lights_punctual": {"light": 0}}})";
+    // All of them in one picture, after a white one.
+    materials.insert(materials.begin(), kWhite);
+    const auto count = static_cast<double>(materials.size());
+    const std::string view = " --look-from " + std::to_string(1.5 * (count - 1.0)) + ",0,48 --look-at " +
+                             std::to_string(1.5 * (count - 1.0)) + ",0,0 --focal-mm 55 --env-hidden";
+    for (const char* mode : {"realtime", "integrate", "path"}) {
+        const std::string how = " --mode " + std::string(mode);
+        const Shown alone = render(folder, cards(materials, textures), view + how);
+        const Shown lit = render(folder, cards(materials, textures + light, node),
+                                 view.substr(0, view.find(" --env")) + how);
+        for (const Shown* shown : {&alone, &lit}) {
+            for (std::size_t i = 0; i < materials.size(); ++i) {
+                // Cards 3 m apart; the picture is twice as wide as the 24 mm that the lens throws on 48 m /
+                // 55 mm.
+                const double x = 0.5 + 3.0 * (double(i) - 0.5 * (count - 1.0)) / (2.0 * 48.0 * 24.0 / 55.0);
+                const auto color = shown->at(x, 0.5);
+                EXPECT_GT(std::max({color[0], color[1], color[2]}), 35)
+                    << "material " << i << ", " << mode << (shown == &lit ? ", lit" : "");
+            }
+        }
     }
 }
 

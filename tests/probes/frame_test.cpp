@@ -300,3 +300,34 @@ TEST(ReflectionProbe, TheSmallerProbeIsAskedFirstAndTheSkyLast) {
     const realtime::Still still = render(s, scene::look_at({0, 3, 0.01f}, {0, 0, 0}, 0.1f));
     EXPECT_NEAR(center(still).x, 0.5f * 100.0f + 0.25f * 1000.0f + 0.25f * 10.0f, 3.0f);
 }
+
+// Unlit colours are display-referred and no light, in the path tracer's bounces as in probes.
+TEST(ReflectionProbe, SeesUnlitSurfacesAsBlackAndThere) {
+    for (const scene::AlphaMode mode :
+         {scene::AlphaMode::opaque, scene::AlphaMode::mask, scene::AlphaMode::blend}) {
+        scene::Material card = grey(1.0f);
+        card.unlit = true;
+        card.double_sided = true;
+        card.alpha_mode = mode;
+        scene::Scene s;
+        s.materials.push_back(card);
+        place(s, square(1.0f), glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -0.5f}));
+        s.environment = constant(100.0f);
+        s.lights = {sun(1000.0f)};
+        s.reflection_probes = {uniform_probe(2.0f, 0.0f, 0.0f)};
+        const gpu::Device device{validated()};
+        realtime::ProbeCaptureOptions o;
+        o.profile = options("best").profile;
+        o.face_texels = 16;
+        const std::vector<bake::ProbeFaces> faces = realtime::capture_probe_faces(device, s, o);
+        int seen = 0;
+        for (const auto& face : faces[0].faces) {
+            for (const glm::vec4& texel : face) {
+                EXPECT_EQ(glm::vec3(texel), glm::vec3(0.0f));
+                seen += texel.w > 0.5f ? 1 : 0;
+            }
+        }
+        EXPECT_GT(seen, 200) << "it covers the sky behind it";
+        EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
+    }
+}

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "render_scenes.hpp"
 #include "shading/tone_curves.glsl"
@@ -102,16 +104,59 @@ TEST(Exposure, AFaintPlaneUnderAHiddenSunIsNotBlack) {
     }
 }
 
-TEST(Exposure, WhatExceedsTheLightBufferIsClampedAndFinite) {
+TEST(Exposure, AStillHoldsWhatIsFarAboveItsWhite) {
+    scene::Material lamp = grey(0.0f);
+    lamp.emissive_nit = glm::vec3(1.6e9f);
+    const scene::Scene s = scene_of(square(0.31f), lamp);
+    // The edge crosses pixels: what is clamped there would be missing from their means.
+    realtime::RendererOptions o = options("best", 32, 16);
+    const auto sum_at = [&](float ev100) {
+        double sum = 0.0;
+        for (const glm::vec4& nit : render(s, fixed_ev(ev100), o).planes.light_nit) sum += double(nit.x);
+        return sum;
+    };
+    const double whole = sum_at(25.0f);
+    for (const float ev100 : {8.0f, 0.0f, -10.0f}) EXPECT_NEAR(sum_at(ev100) / whole, 1.0, 1e-3) << ev100;
+}
+
+TEST(Exposure, WhatExceedsAnInteractiveFramesLightBufferIsClampedAndFinite) {
     scene::Material lamp = grey(0.0f);
     lamp.emissive_nit = glm::vec3(1e9f);
     const scene::Scene s = scene_of(square(5.0f), lamp);
-    const realtime::Still still = render(s, fixed_ev(-5.0f));
+    realtime::RendererOptions o = options("best");
+    o.half_light = true;
+    const realtime::Still still = render(s, fixed_ev(-5.0f), o);
     const float limit = 65504.0f / shading::standard_output_exposure(-5.0f);
     EXPECT_TRUE(std::isfinite(center(still).x));
     EXPECT_GE(center(still).x, 0.99f * limit);
     EXPECT_LE(center(still).x, 65.0f * limit) << "six stops are kept for what is seen";
-    EXPECT_NEAR(center(render(s)).x / 1e9f, 1.0f, 0.001f) << "metered, it fits";
+    EXPECT_NEAR(center(render(s, {}, o)).x / 1e9f, 1.0f, 0.001f) << "metered, it fits";
+}
+
+// A slip in one place stays there: neither the means of other pixels nor what is filtered from it know of it.
+TEST(Exposure, NotANumberStaysWhereItIs) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    scene::Scene s = scene_of(square(0.3f), grey(0.8f));
+    s.environment = constant(100.0f);
+    const realtime::Still right = render(s);
+    s.environment->luminance_nit[17] = glm::vec3(nan, 100.0f, nan);
+    const realtime::Still still = render(s);
+    EXPECT_NEAR(still.ev100, right.ev100, 0.05f);
+    for (std::size_t i = 0; i < still.planes.light_nit.size(); ++i) {
+        for (int c = 0; c < 3; ++c) ASSERT_FALSE(std::isnan(still.planes.light_nit[i][c])) << i;
+    }
+    EXPECT_NEAR(center(still).y / center(right).y, 1.0f, 0.02f) << "lit by the rest of the sky";
+    // One pixel's material: the card in the middle, its neighbour as before.
+    scene::Scene two = scene_of(square(5.0f), grey(0.5f));
+    two.lights = {sun(100.0f)};
+    const float beside = render(two, fixed_ev(5.0f)).planes.light_nit.front().x;
+    two.materials.push_back(grey(0.5f));
+    two.materials.back().base_color = glm::vec4(nan, nan, nan, 1.0f);
+    two.meshes.push_back({"card", {square(0.3f, 1)}});
+    two.instances.push_back({"card", 1, glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, 0.1f})});
+    const realtime::Still card = render(two, fixed_ev(5.0f), options("best", 32, 4));
+    EXPECT_FALSE(std::isnan(center(card).x));
+    EXPECT_NEAR(card.planes.light_nit.front().x, beside, 1e-3f * beside);
 }
 
 TEST(Exposure, UnlitSurfacesAreShownAsTheyAreAndNotMetered) {

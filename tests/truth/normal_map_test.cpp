@@ -100,6 +100,31 @@ TEST(PathNormalMap, TheFurnaceLosesWhatIsBelowTheSurface) {
     }
 }
 
+// From every side and for lobes narrow and wide: light is lost below the surface and none is made.
+TEST(PathNormalMap, NoFurnaceGainsUnderMapsUpToSixtyDegrees) {
+    double most = 0.0;
+    for (const double tilt : {15.0, 30.0, 45.0, 60.0}) {
+        for (const float metallic : {0.0f, 1.0f}) {
+            for (const float roughness : {0.1f, 0.4f, 0.7f, 1.0f}) {
+                scene::Material m = grey(1.0f);
+                m.specular = 1.0f;
+                m.metallic = metallic;
+                m.perceptual_roughness = roughness;
+                const scene::Scene s = mapped_floor(tilt, m);
+                for (const double view : {-75.0, -40.0, 0.0, 40.0, 75.0}) {
+                    const glm::vec3 from(3.0 * std::sin(radians(view)), 3.0 * std::cos(radians(view)), 0.0);
+                    const double seen =
+                        mean_luminance(s, spot_meter(from), path_options(false, true), 64, 4).y;
+                    EXPECT_LE(seen, 1.01) << tilt << ", metallic " << metallic << ", roughness " << roughness
+                                          << ", seen from " << view;
+                    most = std::max(most, seen);
+                }
+            }
+        }
+    }
+    RecordProperty("most", std::to_string(most));
+}
+
 TEST(PathNormalMap, LightFromBelowTheSurfaceDoesNotCount) {
     scene::Scene s = mapped_floor(60.0, grey(1.0f));
     scene::Light light = sun(1000.0f);

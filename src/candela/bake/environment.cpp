@@ -108,7 +108,8 @@ gpu::Image upload_rows(const gpu::Device& device, gpu::Commands& commands, const
         const std::uint32_t count = std::min(rows, e.height - first);
         const glm::vec3* from = e.luminance_nit.data() + std::size_t{first} * e.width;
         for (std::size_t i = 0; i < std::size_t{count} * e.width; ++i) {
-            const Texel texel = convert(from[i]);
+            // What is not a number would be in all that is interpolated with it.
+            const Texel texel = convert(glm::mix(from[i], glm::vec3(0.0f), glm::isnan(from[i])));
             std::memcpy(staging.mapped() + i * sizeof(Texel), &texel, sizeof(Texel));
         }
         commands.begin();

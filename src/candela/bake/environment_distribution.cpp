@@ -30,7 +30,8 @@ class BilinearLuminance {
     [[nodiscard]] double texel(int column, int row) const {
         const std::size_t i =
             static_cast<std::size_t>(row) * environment_.width + static_cast<std::size_t>(column);
-        return static_cast<double>(shading::luminance(environment_.luminance_nit[i]));
+        const float nit = shading::luminance(environment_.luminance_nit[i]);
+        return nit > 0.0f ? static_cast<double>(nit) : 0.0;  // nor NaN
     }
     const scene::Environment& environment_;
 };

@@ -59,10 +59,15 @@ EquirectLight halve(const EquirectLight& from) {
     return to;
 }
 
+/// Files are repaired when they are read; one such texel of others would be in every filtered one.
+glm::vec3 without_nan(const glm::vec3& texel) {
+    return glm::mix(texel, glm::vec3(0.0f), glm::isnan(texel));
+}
+
 /// The picture after so many halvings, without a copy of it at any larger size.
 glm::vec4 reduced_texel(const scene::Environment& e, float scale, int halvings, std::uint32_t x,
                         std::uint32_t y) {
-    if (halvings == 0) return {e.luminance_nit[std::size_t{y} * e.width + x] * scale, 0.0f};
+    if (halvings == 0) return {without_nan(e.luminance_nit[std::size_t{y} * e.width + x]) * scale, 0.0f};
     return halved_texel(
         e.width >> (halvings - 1), e.height >> (halvings - 1), x, y,
         [&](std::uint32_t u, std::uint32_t v) { return reduced_texel(e, scale, halvings - 1, u, v); });

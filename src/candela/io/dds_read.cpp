@@ -78,7 +78,8 @@ bool is_dds(std::span<const std::byte> bytes) noexcept {
     return bytes.size() >= 4 && std::memcmp(bytes.data(), "DDS ", 4) == 0;
 }
 
-TextureFile decode_dds(std::span<const std::byte> bytes, const std::string& where) {
+TextureFile decode_dds(std::span<const std::byte> bytes, const std::string& where,
+                       const std::optional<scene::MemoryBudget>& memory) {
     const ByteReader file(bytes, "DDS texture", where);
     const Header header = read_header(file);
     TextureFile out;
@@ -97,6 +98,7 @@ TextureFile decode_dds(std::span<const std::byte> bytes, const std::string& wher
     const std::uint64_t finest = std::uint64_t{out.width} * out.height;
     // All of it before memory is taken.
     (void)file.part(header.data_at, (out.faces - 1) * face_bytes + finest * texel);
+    check_memory(out.width, std::uint64_t{out.height} * out.faces, memory, where);
     out.texels.reserve(finest * out.faces);
     for (std::uint32_t face = 0; face < out.faces; ++face)
         append_texels(file.part(header.data_at + face * face_bytes, finest * texel), header.format,

@@ -13,6 +13,7 @@
 #include "candela/io/file_kind.hpp"
 #include "candela/io/hdr_read.hpp"
 #include "candela/io/image_read.hpp"
+#include "candela/io/image_read_codecs.hpp"
 #include "candela/io/image_read_limits.hpp"
 #include "candela/io/texture_read.hpp"
 #include "candela/scene/environment_negative.hpp"
@@ -234,21 +235,32 @@ bool is_display_picture(const std::array<std::byte, 12>& magic) {
     return is("\x89PNG", 4, 0) || is("\xff\xd8\xff", 3, 0) || (is("RIFF", 4, 0) && is("WEBP", 4, 8));
 }
 
-/// A photograph as light: linear, white is 1.
-Environment from_display_picture(const scene::Image& image, const std::string& name,
+/// A photograph as light: linear, white is 1. PNG pictures of 16 bits a channel keep them.
+Environment read_display_picture(std::span<const std::byte> bytes, const std::string& where,
+                                 const std::string& name, const scene::MemoryBudget& memory,
                                  Diagnostics& diagnostics) {
-    std::array<float, 256> linear;
-    for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = shading::linear_from_srgb(static_cast<float>(i) / 255.0f);
+    detail::check_memory(decoded_bytes(bytes) / 4, 1, memory, where);
     Environment out;
-    out.width = image.width;
-    out.height = image.height;
-    out.luminance_nit.reserve(std::size_t{image.width} * image.height);
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-        out.luminance_nit.emplace_back(linear[image.rgba[i]], linear[image.rgba[i + 1]],
-                                       linear[image.rgba[i + 2]]);
-    diagnostics.warn(name +
-                     ": a picture for displays, 8 bits a channel: what is brighter than white is not in "
+    const auto fill = [&out](const auto& picture, const auto& samples, std::size_t stride, float full) {
+        out.width = picture.width;
+        out.height = picture.height;
+        std::vector<float> linear(static_cast<std::size_t>(full) + 1);
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            linear[i] = shading::linear_from_srgb(static_cast<float>(i) / full);
+        out.luminance_nit.reserve(std::size_t{out.width} * out.height);
+        for (std::size_t i = 0; i + 2 < samples.size(); i += stride)
+            out.luminance_nit.emplace_back(linear[samples[i]], linear[samples[i + 1]],
+                                           linear[samples[i + 2]]);
+    };
+    const std::optional<detail::Png16> deep = detail::decode_png_16(bytes, where);
+    if (deep) {
+        fill(*deep, deep->rgb, 3, 65535.0f);
+    } else {
+        const scene::Image image = decode_image(bytes, where);
+        fill(image, image.rgba, 4, 255.0f);
+    }
+    diagnostics.warn(name + ": a picture for displays, " + (deep ? "16" : "8") +
+                     " bits a channel: what is brighter than white is not in "
                      "it, so a sun and lamps give too little light and no highlights");
     return out;
 }
@@ -257,21 +269,21 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
     const auto magic = first_bytes(file);
     const std::string where = file.string();
     const auto bytes = [&] { return read_file(file, max_environment_bytes); };
+    const scene::MemoryBudget memory = options.memory ? *options.memory : scene::available_memory();
     if (std::memcmp(magic.data(), "\x76\x2f\x31\x01", 4) == 0) {
-        ReadEnvironment exr = detail::read_exr_environment(file, diagnostics, options.layer);
+        ReadEnvironment exr = detail::read_exr_environment(file, diagnostics, options.layer, memory);
         const bool absolute = exr.absolute;
         return {std::move(exr), false, {}, absolute};
     }
     if (!options.layer.empty())
         throw input_error("has no layers: it is not an OpenEXR picture", where, "leave --env-layer out");
     if (std::memcmp(magic.data(), "#?", 2) == 0)
-        return {detail::decode_hdr(bytes(), where, diagnostics), false, {}};
-    if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where));
-    if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where));
+        return {detail::decode_hdr(bytes(), where, diagnostics, memory), false, {}};
+    if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where, memory));
+    if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where, memory));
     if (is_display_picture(magic))
-        return {from_display_picture(decode_image(bytes(), where), file.filename().string(), diagnostics),
-                false,
-                {}};
+        return {
+            read_display_picture(bytes(), where, file.filename().string(), memory, diagnostics), false, {}};
     throw input_error(
         not_a("a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", kind_of_file(file)), where,
         "an environment holds luminance in cd/m^2");

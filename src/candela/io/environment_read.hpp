@@ -7,6 +7,7 @@
 
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/environment_resample.hpp"
+#include "candela/scene/memory_budget.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -33,6 +34,7 @@ struct EnvironmentOptions {
     /// Of cubes; none: what the file says, else pictures seen from inside.
     std::optional<scene::CubeSpace> cube_space;
     NegativeTexels negative = NegativeTexels::clamp;
+    std::optional<scene::MemoryBudget> memory;  ///< that the picture may take; absent: what the machine has
     std::string layer;  ///< of an EXR file, or its part; empty: detail::choose_exr_picture
 };
 
@@ -51,7 +53,7 @@ struct ReadEnvironment : scene::Environment {
 /// the name of one face with {face} where px, nx, py, ny, pz, nz (or posx..., or right, left, top, bottom,
 /// front, back) stand. NaN becomes 0, infinity the largest finite value of the picture, and negative values
 /// what `options` say, with a warning of what that does to the up-facing illuminance; nothing else is
-/// clamped. Throws Error (Fault::input).
+/// clamped. Throws Error (Fault::input; Fault::machine for what takes more memory than `options` allow).
 [[nodiscard]] ReadEnvironment read_environment(const std::filesystem::path& file, Diagnostics& diagnostics,
                                                const EnvironmentOptions& options = {});
 

@@ -221,7 +221,8 @@ void check_windows(const Box2i& data, const Box2i& display, const std::string& w
 namespace detail {
 
 ReadEnvironment read_exr_environment(const std::filesystem::path& file, Diagnostics& diagnostics,
-                                     const std::string& layer) {
+                                     const std::string& layer,
+                                     const std::optional<scene::MemoryBudget>& memory) {
     ReadEnvironment out;
     const std::string where = file.string();
     read_exr_file(file, [&](Imf::MultiPartInputFile& input, std::uint64_t bytes) {
@@ -232,6 +233,8 @@ ReadEnvironment read_exr_environment(const std::filesystem::path& file, Diagnost
         check_complete(part, where);
         const Box2i data = header.dataWindow(), display = header.displayWindow();
         check_windows(data, display, where);
+        for (const Size& size : {size_of(data), size_of(display)})
+            check_memory(size.width, size.height, memory, where);
         out.luminance_nit = read_colors(header, part, picture);
         if (data != display) {
             diagnostics.warn(where + ": its data window is not its display window; what is missing is black");

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "candela/io/environment_read.hpp"
 #include "candela/scene/diagnostics.hpp"
+#include "candela/scene/memory_budget.hpp"
 
 namespace candela::io::detail {
 
@@ -12,6 +14,7 @@ namespace candela::io::detail {
 /// half, float or uint. The result is the display window; what the data window lacks of it is black, with a
 /// warning. Chromaticities other than Rec.709 are a warning.
 [[nodiscard]] ReadEnvironment read_exr_environment(const std::filesystem::path& file,
-                                                   Diagnostics& diagnostics, const std::string& layer = {});
+                                                   Diagnostics& diagnostics, const std::string& layer = {},
+                                                   const std::optional<scene::MemoryBudget>& memory = {});
 
 }  // namespace candela::io::detail

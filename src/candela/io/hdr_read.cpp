@@ -186,13 +186,14 @@ glm::vec3 value_of(const Rgbe& texel) {
 }  // namespace
 
 scene::Environment decode_hdr(std::span<const std::byte> data, const std::string& where,
-                              Diagnostics& diagnostics) {
+                              Diagnostics& diagnostics, const std::optional<scene::MemoryBudget>& memory) {
     Bytes bytes(data, where);
     const Header header = read_header(bytes, where, diagnostics);
     const std::uint32_t lines = header.columns_first ? header.width : header.height;
     const std::uint32_t length = header.columns_first ? header.height : header.width;
     // A scan line takes four bytes at least in either coding.
     check_claim(std::uint64_t{lines} * 4, bytes.left(), 1, where);
+    check_memory(header.width, header.height, memory, where);
     scene::Environment out;
     out.width = header.width;
     out.height = header.height;

@@ -44,6 +44,11 @@ std::uint64_t check_readable(const fs::path& file) {
     return size;
 }
 
+void check_memory(std::uint64_t width, std::uint64_t height, const std::optional<scene::MemoryBudget>& memory,
+                  const std::string& where) {
+    if (memory) memory->require(environment_bytes(width * height), "the picture takes", where);
+}
+
 void check_size(std::uint64_t width, std::uint64_t height, const std::string& where) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
     if (width == 0 || height == 0) throw input_error("the picture is empty: " + size, where);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "candela/scene/scene.hpp"
 
@@ -12,6 +15,14 @@ namespace candela::io::detail {
 
 /// Deflate holds at most 1032 bytes in one, so more raw rows than that are refused.
 [[nodiscard]] scene::Image decode_png(std::span<const std::byte> bytes, const std::string& where);
+
+/// A PNG picture of 16 bits a channel as stored, RGB; nothing for one of other depths and for other files.
+struct Png16 {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint16_t> rgb;
+};
+[[nodiscard]] std::optional<Png16> decode_png_16(std::span<const std::byte> bytes, const std::string& where);
 
 /// A Huffman-coded block of 64 texels takes at least one bit, so more than 512 texels a byte are refused, as
 /// are arithmetic coding, more than 256 scans and more than 512 MiB of coefficients (progressive files).

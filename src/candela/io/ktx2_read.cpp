@@ -130,7 +130,8 @@ bool is_ktx2(std::span<const std::byte> bytes) noexcept {
            std::memcmp(bytes.data(), kIdentifier.data(), kIdentifier.size()) == 0;
 }
 
-TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& where) {
+TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& where,
+                        const std::optional<scene::MemoryBudget>& memory) {
     const ByteReader file(bytes, "KTX 2 texture", where);
     const Header header = read_header(file);
     const std::uint64_t texels = std::uint64_t{header.width} * header.height * header.faces;
@@ -143,6 +144,7 @@ TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& whe
     if (header.packing != Packing::none && claimed != size)
         throw file.broken("the finest level unpacks to another size than its faces have");
     check_claim(size, stored, most_per_byte(header.packing), where);
+    check_memory(header.width, std::uint64_t{header.height} * header.faces, memory, where);
     const Keys keys = read_keys(file);
     TextureFile out{header.width, header.height, header.faces, {}, keys.space, keys.absolute};
     out.texels.reserve(texels);

@@ -143,6 +143,14 @@ Stage read_stage(const json& root, const std::string& name, const SearchFolders&
           [&](const json& v, const std::string& at) { read_irradiance_volumes(v, at, stage.probes); }},
          {"camera", [&](const json& v, const std::string& at) { stage.camera = read_camera(v, at); }},
          {"exposure", [&](const json& v, const std::string& at) { stage.exposure = read_exposure(v, at); }},
+         {"units",
+          [&](const json& v, const std::string& at) {
+              stage.units = static_cast<StageUnits>(stage_choice(v, at, {"auto", "absolute", "relative"}));
+          }},
+         {"emissive_scale",
+          [&](const json& v, const std::string& at) {
+              stage.emissive_scale = stage_number(v, at, 0.0, 1e12, "0 or more");
+          }},
          {"$schema", [&](const json& v, const std::string& at) { (void)stage_text(v, at); }}});
     return stage;
 }

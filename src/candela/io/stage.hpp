@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -35,12 +36,19 @@ struct StageCamera {
     std::optional<float> focal_mm;
 };
 
+/// What emission in the scene's file is in: cd/m^2, a fraction of a white surface under the scene's light, or
+/// whichever of the two the file seems to mean.
+enum class StageUnits : std::uint8_t { automatic, absolute, relative };
+
 struct Stage {
     std::optional<StageEnvironment> environment;
     StageCamera camera;
     std::vector<StageLight> lights;  ///< placed by place_stage_lights
     StageProbes probes;              ///< placed by place_stage_probes
     scene::Exposure exposure;
+    /// What the scene file's emission is in and what multiplies it (docs/exposure.md).
+    std::optional<StageUnits> units;
+    std::optional<float> emissive_scale;
 };
 
 /// Reads and validates a stage file (JSON with comments). Throws Error (Fault::input) naming file,

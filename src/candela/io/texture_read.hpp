@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "candela/scene/environment_resample.hpp"
+#include "candela/scene/memory_budget.hpp"
 
 /// The finest level of a texture file that holds light: one picture, or the six of a cube.
 namespace candela::io::detail {
@@ -27,10 +28,12 @@ struct TextureFile {
 
 /// RGBA16F, RGBA32F, E5B9G9R9 and B10G11R11; plain or compressed with zlib or Zstandard. Throws Error
 /// (Fault::input), before memory is taken for what the bytes cannot hold.
-[[nodiscard]] TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& where);
+[[nodiscard]] TextureFile decode_ktx2(std::span<const std::byte> bytes, const std::string& where,
+                                      const std::optional<scene::MemoryBudget>& memory = {});
 
 /// The DX10 header with those formats, or the legacy codes 113 (RGBA16F) and 116 (RGBA32F).
-[[nodiscard]] TextureFile decode_dds(std::span<const std::byte> bytes, const std::string& where);
+[[nodiscard]] TextureFile decode_dds(std::span<const std::byte> bytes, const std::string& where,
+                                     const std::optional<scene::MemoryBudget>& memory = {});
 
 /// Formats of both files.
 enum class LightFormat : std::uint8_t { rgba16f, rgba32f, rgb32f, rgb9e5, b10g11r11 };

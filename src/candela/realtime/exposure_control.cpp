@@ -79,8 +79,10 @@ float typical_illuminance_lx(const scene::Scene& scene, const scene::Aabb& bound
         // Rows of an equirectangular picture shrink towards the poles.
         const double sine = std::sin(double(shading::PI) * (y + 0.5) / e.height);
         solid_angles += sine * e.width;
-        for (std::uint32_t x = 0; x < e.width; ++x)
-            sum += sine * double(shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]));
+        for (std::uint32_t x = 0; x < e.width; ++x) {
+            const float nit = shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]);
+            if (nit > 0.0f) sum += sine * double(nit);  // not NaN
+        }
     }
     return illuminance_lx + shading::PI * e.scale * static_cast<float>(sum / solid_angles);
 }

@@ -15,7 +15,8 @@ gpu::Specialization specialization(const FrameResources& frame, const ShadeVaria
             bits(variant.forward), frame.integrate_tables.variant, bits(frame.culled_lights),
             bits(p.area_diffuse), bits(p.area_specular), frame.shadow_kinds, bits(p.shadow_filter),
             bits(p.irradiance), frame.local.bits, bits(p.sun_specular), bits(p.area_direction),
-            bits(frame.normal_mapped), bits(p.falloff), std::bit_cast<std::uint32_t>(p.falloff_offset_m2)};
+            bits(frame.normal_mapped), bits(p.falloff), std::bit_cast<std::uint32_t>(p.falloff_offset_m2),
+            bits(p.normal_map_filter)};
 }
 
 std::vector<VkDescriptorType> shading_set_layout() {

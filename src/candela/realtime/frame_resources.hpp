@@ -83,6 +83,7 @@ struct FrameResources {
     std::size_t most_storage_bytes = std::size_t{128} << 20u;  ///< that a binding may have
     Profile profile;
     std::optional<Strategy> integrate;  ///< the integrals themselves instead of the profile's techniques
+    bool half_light = false;            ///< the light buffer is of half floats
     bool write_aovs = false;
     bool has_environment = false;
     std::uint32_t shadow_kinds = 0;  ///< of shadow_kind_bits(); 0: every light shines through everything
@@ -120,17 +121,17 @@ struct FrameResources {
     gpu::Owned<VkSampler> repeat_u;  ///< linear, repeats in u
     gpu::Owned<VkSampler> nearest;
 
-    /// Half floats are enough for a finished frame. A sample of an integral may be far above its mean, and a
-    /// mean of samples that were rounded or clamped is not the integral.
+    /// Half floats are enough for a frame that is shown. What is above them in one sample of a still belongs
+    /// to the mean, and so do samples of an integral, which may be far above it.
     [[nodiscard]] VkFormat light_format() const noexcept {
-        return integrate ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+        return half_light ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
     }
-    /// The largest number that fits the light buffer.
-    [[nodiscard]] float light_limit() const noexcept { return integrate ? 3.0e38f : scene::kLargestHalf; }
+    /// The largest number that fits the light buffer; of 32 bit floats, one that sums of samples stay below.
+    [[nodiscard]] float light_limit() const noexcept { return half_light ? scene::kLargestHalf : 1.0e30f; }
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...25 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...26 of material.glsl, shade.glsl and lighting.comp.glsl.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;

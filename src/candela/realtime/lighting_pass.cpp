@@ -3,6 +3,9 @@
 #include "candela/realtime/lighting_variant.hpp"
 #include "candela_shaders/integrate_comp.hpp"
 #include "candela_shaders/lighting_comp.hpp"
+#include "candela_shaders/lighting_half_comp.hpp"
+#include "candela_shaders/lighting_half_plain_comp.hpp"
+#include "candela_shaders/lighting_half_shadows_comp.hpp"
 #include "candela_shaders/lighting_plain_comp.hpp"
 #include "candela_shaders/lighting_shadows_comp.hpp"
 
@@ -37,8 +40,11 @@ std::string pass_name(ShadingClass shading_class, bool integrate) {
 }  // namespace
 
 LightingPass::LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene) {
-    const LightingVariants variants{shaders::lighting_plain_comp, shaders::lighting_shadows_comp,
-                                    shaders::lighting_comp};
+    const LightingVariants full{shaders::lighting_plain_comp, shaders::lighting_shadows_comp,
+                                shaders::lighting_comp};
+    const LightingVariants half{shaders::lighting_half_plain_comp, shaders::lighting_half_shadows_comp,
+                                shaders::lighting_half_comp};
+    const LightingVariants& variants = frame.half_light ? half : full;
     const gpu::SpirV code = frame.integrate ? shaders::integrate_comp : choose(variants, frame, scene);
     const auto add = [&](ShadingClass shading_class) {
         ShadeVariant variant;
@@ -56,7 +62,7 @@ LightingPass::LightingPass(const gpu::Device& device, const FrameResources& fram
     for (const Draw& draw : scene.draws) standard |= (draw.features & (feature_layered | feature_unlit)) == 0;
     if (standard) add(ShadingClass::standard);
     if (scene.any_layered) add(ShadingClass::layered);
-    if (frame.write_aovs || frame.has_unlit) add(ShadingClass::unlit);
+    if (frame.write_aovs || scene.any_unlit) add(ShadingClass::unlit);
 }
 
 void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {

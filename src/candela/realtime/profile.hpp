@@ -36,6 +36,8 @@ enum class SunSpecularTechnique : std::uint8_t { full, d_approx, d_approx_printe
 /// Where a surface reads the irradiance of the environment.
 enum class IrradianceTechnique : std::uint8_t { normal, dominant_direction };
 enum class SpecularAaTechnique : std::uint8_t { none, footprint };
+/// What a mip level of a normal map makes of the normals that it averages: shading/footprint.glsl.
+enum class NormalMapFilterTechnique : std::uint8_t { convolved, average_length };
 /// Of what the shape has none of its own for, the nearest: shaders/area_lights.glsl.
 enum class AreaDiffuseTechnique : std::uint8_t {
     exact,
@@ -73,6 +75,7 @@ struct Profile {
     ReflectionTechnique reflection = ReflectionTechnique::stretched_2;
     IrradianceTechnique irradiance = IrradianceTechnique::normal;
     SpecularAaTechnique specular_aa = SpecularAaTechnique::footprint;
+    NormalMapFilterTechnique normal_map_filter = NormalMapFilterTechnique::convolved;
     AreaDiffuseTechnique area_diffuse = AreaDiffuseTechnique::exact;
     AreaDirectionTechnique area_direction = AreaDirectionTechnique::representative_point;
     AreaSpecularTechnique area_specular = AreaSpecularTechnique::ltc;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <glm/gtc/packing.hpp>
 #include <glm/matrix.hpp>
 
 #include "candela/bake/ltc_table.hpp"
@@ -36,6 +35,10 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.most_storage_bytes = device.limits().maxStorageBufferRange;
     frame.profile = options.integrate ? integrand(options.profile) : options.profile;
     if (options.integrate) frame.integrate = options.integrate->strategy;
+    // Blending of 32 bit floats is an option of Vulkan; only devices without it show stills of half floats.
+    const bool blends_floats = !gpu_scene.any_blended ||
+                               device.supports(kPictureFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
+    frame.half_light = (options.half_light || !blends_floats) && !options.integrate && !options.capture;
     frame.write_aovs = options.aovs;
     frame.has_environment = scene.environment.has_value();
     if (options.shadows.maps && !options.integrate)
@@ -89,8 +92,10 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
                     ? bake::create_ltc_table(device, commands)
                     : gpu::Image(device, {1, 1, kPictureFormat, VK_IMAGE_USAGE_SAMPLED_BIT});
     create_light_lists(device, commands, gpu_scene, options.cull_lights && !options.integrate, frame);
-    frame.environment = bake::prefilter_environment(
-        device, commands, scene.environment ? *scene.environment : bake::constant_environment(0.0f));
+    // Not as one expression: it would copy the picture.
+    frame.environment = scene.environment
+                            ? bake::prefilter_environment(device, commands, *scene.environment)
+                            : bake::prefilter_environment(device, commands, bake::constant_environment(0.0f));
     frame.integrate_tables = upload_integrate_tables(device, commands, scene, options.integrate);
     if (!options.integrate) frame.local.bits = local_light_bits(scene, options.capture);
     upload_local_light(device, commands, scene.reflection_probes, scene.irradiance_volumes, frame.local);
@@ -144,18 +149,6 @@ void write_light_places(FrameBlock& block, const FrameResources& frame, const Gp
         glm::vec4(near_m, static_cast<float>(std::max(places.cells.z, 1)) / stops, 0.0f, 0.0f);
 }
 
-constexpr int kMaxRecaptures = 4;
-
-/// What the exposure of a captured view is to be multiplied by so that its brightest texel is well inside
-/// half floats, 1 where it is already. A black view may be one that is fainter than they hold.
-float recapture_factor(std::span<const glm::vec4> units) {
-    float peak = 0.0f;
-    for (const glm::vec4& texel : units) peak = std::max(peak, shading::max_component(glm::vec3(texel)));
-    if (peak == 0.0f) return std::exp2(16.0f);
-    if (peak >= scene::kLargestHalfUnits) return std::exp2(-16.0f);
-    return peak < 1.0f ? 256.0f / peak : 1.0f;
-}
-
 }  // namespace
 
 struct Renderer::State {
@@ -184,11 +177,11 @@ struct Renderer::State {
         }
     }
 
-    /// The light buffer's exposure is the picture's (Frostbite 5.2), or up to 6 stops less where that brings
-    /// the brightest thing that can be seen into half floats: a display's black still has 16 steps then. What
-    /// is brighter is clamped.
+    /// The light buffer's exposure is the picture's (Frostbite 5.2). With half floats up to 6 stops less,
+    /// where that brings the brightest thing that can be seen into them: a display's black still has 16 steps
+    /// then. What is brighter is clamped.
     [[nodiscard]] float pre_exposure(float exposure) const {
-        if (options.integrate || !(light_limits.peak_nit > 0.0f)) return exposure;
+        if (!frame.half_light || !(light_limits.peak_nit > 0.0f)) return exposure;
         return std::clamp(scene::kLargestHalfUnits / light_limits.peak_nit, exposure / 64.0f, exposure);
     }
 
@@ -289,29 +282,16 @@ void Renderer::set_reflection_probes(std::span<const scene::ReflectionProbe> pro
 std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
     State& s = *state_;
     const std::size_t pixels = std::size_t{s.frame.width} * s.frame.height;
-    gpu::Buffer read(*s.device, pixels * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+    gpu::Buffer read(*s.device, pixels * sizeof(glm::vec4), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                      gpu::MemoryKind::readback);
-    // The same for every view, so that captures do not depend on their order.
-    float capture_exposure = shading::standard_output_exposure(
-        shading::ev100_from_luminance(std::max(s.light_limits.typical_nit, 1e-6f)));
-    std::vector<glm::vec4> out(pixels);
-    // Where this view's light does not suit the exposure, it is drawn again.
-    for (int attempt = 0;; ++attempt) {
-        s.write_frame_block(camera, capture_exposure, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-        s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
-        s.commands.begin();
-        s.record_light(camera);
-        s.commands.copy(s.frame.light, read);
-        s.commands.submit_and_wait();
-        const std::span<const std::uint64_t> texels = read.mapped_as<const std::uint64_t>();
-        std::transform(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(pixels), out.begin(),
-                       [](std::uint64_t texel) { return glm::unpackHalf4x16(texel); });
-        const float factor = recapture_factor(out);
-        if (factor == 1.0f || attempt == kMaxRecaptures) break;
-        capture_exposure *= factor;
-    }
-    for (glm::vec4& texel : out) texel = glm::vec4(glm::vec3(texel) / capture_exposure, texel.w);
-    return out;
+    s.write_frame_block(camera, 1.0f, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
+    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
+    s.commands.begin();
+    s.record_light(camera);
+    s.commands.copy(s.frame.light, read);
+    s.commands.submit_and_wait();
+    const std::span<const glm::vec4> texels = read.mapped_as<const glm::vec4>();
+    return {texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(pixels)};
 }
 
 std::uint32_t Renderer::unshadowed_lights() const {

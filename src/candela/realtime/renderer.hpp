@@ -27,6 +27,9 @@ struct RendererOptions {
     Profile profile;
     std::uint32_t tone_curve = 3;  ///< of shading/tone_curves.glsl; interactive frames only
     bool aovs = false;
+    /// The light buffer is of half floats, as render_frame() is for (Frostbite 5.2). What is far above the
+    /// picture's white is clamped then. Not when integrating or capturing.
+    bool half_light = false;
     bool cull_lights = true;  ///< false: every point asks every light; for tests
     ShadowOptions shadows;
     bool capture = false;  ///< pictures are those that reflection probes take: capture_view()

@@ -420,6 +420,9 @@ PathResult PathIntegrator::trace(const Ray& camera_ray, const PathSampler& sampl
         add_lights(walk, vertex, sampler);
         if (!bounce(walk, vertex, sampler)) break;
     }
+    const glm::vec3& nit = walk.result.luminance_nit;
+    // One path that is not a number would be its whole pixel, and the whole probe that is baked of it.
+    if (!std::isfinite(nit.x + nit.y + nit.z)) return {};
     return walk.result;
 }
 

@@ -22,8 +22,11 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     uvec4 random;           // x sample, y seed, z draws a sample (integrate.glsl); w unused
 } frame;
 
+// NaN as black: one sample of one pixel is wrong then, and not the mean of its samples, nor what is filtered from the picture.
+vec3 without_nan(vec3 x) { return mix(x, vec3(0.0), isnan(x)); }
+
 // What the light buffer stores of a luminance in cd/m^2. Half floats end at 65504, and beyond it is infinity.
-vec3 pre_exposed(vec3 luminance_nit) { return min(luminance_nit * frame.exposure.x, vec3(frame.exposure.w)); }
+vec3 pre_exposed(vec3 luminance_nit) { return min(without_nan(luminance_nit) * frame.exposure.x, vec3(frame.exposure.w)); }
 
 vec3 world_position(vec2 pixel, float depth) {
     vec2 ndc = pixel / vec2(frame.size.xy) * 2.0 - 1.0;

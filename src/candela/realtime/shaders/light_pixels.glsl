@@ -77,6 +77,11 @@ void main() {
     if (shading_class(depth, words) != kShadingClass) return;
 
     if (kShadingClass == kClassUnlit) {
+        if (kCapturesProbe) {
+            // It is in the way of what is behind it, and gives no light.
+            imageStore(light_image, pixel, vec4(0.0, 0.0, 0.0, 1.0));
+            return;
+        }
         bool emitter = words.w == kEmitterMark;
         vec3 stored = imageLoad(light_image, pixel).rgb;
         vec3 emissive_nit = emitter ? stored * frame.exposure.y : vec3(0.0);
@@ -96,6 +101,8 @@ void main() {
     if (kShadeLayers) unpack_layers(texelFetch(layers_image, pixel, 0), g);
     vec3 position = kNeedsPosition ? world_position(vec2(pixel) + 0.5, depth) : vec3(0.0);
     Lit lit = light_surface(g, position, -normalize(pixel_ray(pixel)), uvec2(pixel));
+    lit = Lit(without_nan(lit.direct_diffuse), without_nan(lit.direct_specular), without_nan(lit.indirect_diffuse),
+              without_nan(lit.indirect_specular));
     vec3 sum = (lit.direct_diffuse + lit.direct_specular + lit.indirect_diffuse + lit.indirect_specular) * frame.exposure.x;
     vec3 emissive = kHasEmissive ? imageLoad(light_image, pixel).rgb : vec3(0.0);
     sum += emissive;

@@ -5,7 +5,12 @@
 #include "frame.glsl"
 #include "shade.glsl"
 
+// Of the light buffer (C++: FrameResources::light_format()).
+#ifdef CANDELA_HALF_LIGHT
 #define LIGHT_FORMAT rgba16f
+#else
+#define LIGHT_FORMAT rgba32f
+#endif
 const bool kNeedsPosition = kHasLights || kLocalLight != 0u;
 
 #include "light_pixels.glsl"

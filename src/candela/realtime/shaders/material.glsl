@@ -7,6 +7,8 @@
 #include "fully_rough.glsl"
 #include "gbuffer.glsl"
 
+layout(constant_id = 28) const int kNormalMapFilter = 0;
+
 layout(location = 0) in vec3 in_normal;
 layout(location = 1) in vec4 in_tangent;
 
@@ -101,7 +103,8 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
             vec3 t = coat.scaled;
             g.coat_normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
             s.coat_perceptual_roughness =
-                perceptual_roughness_under_map(s.coat_perceptual_roughness, coat.average_length, coat.z, scale);
+                perceptual_roughness_under_map(s.coat_perceptual_roughness, coat.average_length, coat.z, scale,
+                                               kNormalMapFilter);
         }
         s.sheen_color = material.sheen.rgb;
         if (has(kSheenColorTexture)) s.sheen_color *= texture(sheen_color_map, slot_uv(10)).rgb;
@@ -124,7 +127,7 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
 
     if (has(kNormalTexture)) {
         s.perceptual_roughness = perceptual_roughness_under_map(s.perceptual_roughness, mapped.average_length, mapped.z,
-                                                                material.metallic_roughness.z);
+                                                                material.metallic_roughness.z, kNormalMapFilter);
     }
     if (kSpecularAa != 0) {
         float pixels = frame.exposure.z;

@@ -162,6 +162,13 @@ vec3 diffuse_direction(SurfacePoint p) {
     return normalize(diffuse_dominant_direction(p.g.normal, p.v, p.NoV, p.g.surface.perceptual_roughness));
 }
 
+LobeRead unit_read_above_surface(LobeRead read, vec3 n, vec3 surface_normal) {
+    if (!kNormalMapped) return read;
+    read = read_above_surface(read, n, surface_normal);
+    read.direction = normalize(read.direction);
+    return read;
+}
+
 // Local light in a lobe, read as the distant light is, but for three reads of it, which are two here. share: fresnel_share() of
 // the lobe. distant: seen in it already; whole: by reads that are not the lobe's own.
 vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughness, float share, vec3 distant, bool whole) {
@@ -172,6 +179,8 @@ vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughn
     float alpha = alpha_from_perceptual_roughness(perceptual_roughness);
     if (kReflection >= kReflectionStretched2) {
         stretched_reflection_2(n, p.v, NoV, perceptual_roughness, share, first, second);
+        first = unit_read_above_surface(first, n, p.g.surface_normal);
+        second = unit_read_above_surface(second, n, p.g.surface_normal);
         if (kReflection == kReflectionStretched2 && !whole) {
             first_distant = environment_glossy(first.direction, first.perceptual_roughness);
             second_distant = environment_glossy(second.direction, second.perceptual_roughness);
@@ -183,6 +192,7 @@ vec3 local_reflection(SurfacePoint p, vec3 n, float NoV, float perceptual_roughn
     } else if (kReflection == kReflectionDominant) {
         first.direction = normalize(specular_dominant_direction(n, first.direction, alpha));
     }
+    if (kReflection < kReflectionStretched2) first = unit_read_above_surface(first, n, p.g.surface_normal);
     return local_specular(p.position, n, p.v, first, second, first_distant, second_distant);
 }
 
@@ -202,7 +212,7 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     }
     if (kNormalMapped) {
         irradiance_over_pi *= hemisphere_above_surface(dot(g.normal, g.surface_normal));
-        radiance *= lobe_above_surface(2.0 * NoV * g.normal - v, g.surface_normal, alpha);
+        radiance *= lobe_above_surface(2.0 * NoV * g.normal - v, g.normal, g.surface_normal, alpha, base_fresnel_rise(p));
     }
     if (!kShadeLayers) {
         lit.indirect_diffuse = ibl_diffuse_weight(g.surface, techniques(), NoV, dfg) * irradiance_over_pi * g.occlusion;
@@ -212,14 +222,15 @@ void add_environment(SurfacePoint p, inout Lit lit) {
     float coat_NoV = max(dot(g.coat_normal, v), 1.0e-4);
     vec4 coat_dfg = directional_albedo(coat_NoV, g.surface.coat_perceptual_roughness);
     IblWeights w = ibl_layered_weights(g.surface, techniques(), NoV, coat_NoV, dfg, coat_dfg);
-    vec3 coat_radiance = environment_specular(g.coat_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
+    vec3 coat_radiance = environment_specular(g.coat_normal, g.surface_normal, v, coat_NoV, g.surface.coat_perceptual_roughness, 0.0);
     if (kLocalLight != 0u) {
         coat_radiance = local_reflection(p, g.coat_normal, coat_NoV, g.surface.coat_perceptual_roughness, 0.0, coat_radiance,
                                         false);
     }
     if (kNormalMapped) {
         float coat_alpha = alpha_from_perceptual_roughness(g.surface.coat_perceptual_roughness);
-        coat_radiance *= lobe_above_surface(2.0 * coat_NoV * g.coat_normal - v, g.surface_normal, coat_alpha);
+        coat_radiance *= lobe_above_surface(2.0 * coat_NoV * g.coat_normal - v, g.coat_normal, g.surface_normal, coat_alpha,
+                                            fresnel_rise(0.04, 1.0, coat_dfg.xy));
     }
     vec3 sheen = environment_sheen(p, irradiance_over_pi);
     if (kLocalLight != 0u && kReflection >= kReflectionFitted && max_component(g.surface.sheen_color) > 0.0) {
