@@ -157,7 +157,7 @@ json emissive_json(const realtime::EmissiveSurface& surface, const scene::Scene&
 }
 
 std::string emissive_line(const json& s) {
-    return "  glowing  " + s["name"].get<std::string>() + ": " +
+    return "  emissive " + s["name"].get<std::string>() + ": " +
            format("%.0f triangles", s["triangles"].get<double>()) +
            format(", %.4g m2", s["area_m2"].get<double>()) +
            (s["two_sided"].get<bool>() ? ", two-sided" : "") + " (material " +

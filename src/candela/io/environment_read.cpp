@@ -227,13 +227,6 @@ Read from_texture(detail::TextureFile texture) {
     return out;
 }
 
-bool is_display_picture(const std::array<std::byte, 12>& magic) {
-    const auto is = [&](const char* text, std::size_t size, std::size_t at) {
-        return std::memcmp(magic.data() + at, text, size) == 0;
-    };
-    return is("\x89PNG", 4, 0) || is("\xff\xd8\xff", 3, 0) || (is("RIFF", 4, 0) && is("WEBP", 4, 8));
-}
-
 /// A photograph as light: linear, white is 1.
 Environment from_display_picture(const scene::Image& image, const std::string& name,
                                  Diagnostics& diagnostics) {
@@ -258,20 +251,23 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
     const std::string where = file.string();
     const auto bytes = [&] { return read_file(file, max_environment_bytes); };
     if (std::memcmp(magic.data(), "\x76\x2f\x31\x01", 4) == 0) {
-        ReadEnvironment exr = detail::read_exr_environment(file, diagnostics, options.layer);
+        ReadEnvironment exr =
+            detail::read_exr_environment(file, diagnostics, options.layer, options.progress);
         const bool absolute = exr.absolute;
         return {std::move(exr), false, {}, absolute};
     }
     if (!options.layer.empty())
         throw input_error("has no layers: it is not an OpenEXR picture", where, "leave --env-layer out");
     if (std::memcmp(magic.data(), "#?", 2) == 0)
-        return {detail::decode_hdr(bytes(), where, diagnostics), false, {}};
+        return {detail::decode_hdr(bytes(), where, diagnostics, options.progress), false, {}};
     if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where));
     if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where));
     if (is_display_picture(magic))
         return {from_display_picture(decode_image(bytes(), where), file.filename().string(), diagnostics),
                 false,
                 {}};
+    if (std::error_code ignored; fs::file_size(file, ignored) == 0)
+        throw input_error("the file is empty", where, "a picture of the light is expected");
     throw input_error(
         not_a("a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", kind_of_file(file)), where,
         "an environment holds luminance in cd/m^2");
@@ -280,8 +276,13 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
 CubeMap read_faces(const detail::FaceFiles& files, const EnvironmentOptions& options, bool& absolute,
                    Diagnostics& diagnostics) {
     CubeMap cube;
+    double done = 0.0;
+    EnvironmentOptions one = options;
+    if (options.progress)
+        one.progress = [&](double fraction) { options.progress((done + fraction) / double(files.size())); };
     for (const fs::path& file : files) {
-        Read face = read_file_of(file, options, diagnostics);
+        Read face = read_file_of(file, one, diagnostics);
+        done += 1.0;
         absolute = face.absolute;
         const Environment& picture = face.picture;
         if (face.cube || picture.width != picture.height)

@@ -7,6 +7,7 @@
 
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/environment_resample.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -33,7 +34,8 @@ struct EnvironmentOptions {
     /// Of cubes; none: what the file says, else pictures seen from inside.
     std::optional<scene::CubeSpace> cube_space;
     NegativeTexels negative = NegativeTexels::clamp;
-    std::string layer;  ///< of an EXR file, or its part; empty: detail::choose_exr_picture
+    std::string layer;          ///< of an EXR file, or its part; empty: detail::choose_exr_picture
+    ProgressFunction progress;  ///< of decoding; of .hdr and of EXR in scan lines
 };
 
 /// What a file holds, as a picture.

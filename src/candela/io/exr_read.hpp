@@ -12,6 +12,7 @@ namespace candela::io::detail {
 /// half, float or uint. The result is the display window; what the data window lacks of it is black, with a
 /// warning. Chromaticities other than Rec.709 are a warning.
 [[nodiscard]] ReadEnvironment read_exr_environment(const std::filesystem::path& file,
-                                                   Diagnostics& diagnostics, const std::string& layer = {});
+                                                   Diagnostics& diagnostics, const std::string& layer = {},
+                                                   const ProgressFunction& progress = {});
 
 }  // namespace candela::io::detail

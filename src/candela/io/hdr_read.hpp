@@ -5,6 +5,7 @@
 #include <string>
 
 #include "candela/scene/diagnostics.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io::detail {
@@ -14,6 +15,6 @@ namespace candela::io::detail {
 /// divided by the header's EXPOSURE and COLORCORR. XYZE is refused; primaries other than Rec.709 are a
 /// warning. Source: Ward, "The RADIANCE Picture File Format".
 [[nodiscard]] scene::Environment decode_hdr(std::span<const std::byte> bytes, const std::string& where,
-                                            Diagnostics& diagnostics);
+                                            Diagnostics& diagnostics, const ProgressFunction& progress = {});
 
 }  // namespace candela::io::detail
