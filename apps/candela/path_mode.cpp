@@ -30,7 +30,7 @@ constexpr std::uint32_t kPlentySamples = 1u << 18;
 /// A signal handler can reach nothing but a global.
 std::atomic<bool> g_stop = false;
 
-/// Asks for the picture so far on the first Ctrl-C; the second one kills, as ever.
+/// Asks for the picture so far on the first Ctrl-C; the second one kills, as usual.
 class InterruptHandler {
   public:
     InterruptHandler() {
