@@ -18,6 +18,6 @@ namespace candela::app {
 /// An emissive surface, as a light.
 [[nodiscard]] nlohmann::json emissive_json(const realtime::EmissiveSurface& surface,
                                            const scene::Scene& scene);
-[[nodiscard]] std::string emissive_line(const nlohmann::json& surface);
+[[nodiscard]] std::vector<std::string> emissive_lines(const nlohmann::json& surface);
 
 }  // namespace candela::app

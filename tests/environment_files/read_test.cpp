@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "candela/io/image_write.hpp"
+#include "candela/scene/error.hpp"
 #include "reading.hpp"
 
 namespace candela::test {

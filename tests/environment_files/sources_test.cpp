@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "candela/scene/environment_sources.hpp"
+#include "shading/language.glsl"
 #include "sky_of_directions.hpp"
 
 namespace candela::test {
