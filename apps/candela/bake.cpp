@@ -182,7 +182,7 @@ void add_bake(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("bake", "Filter environments and compute tables that rendering reads");
     command->add_option(
-        "what", options->what,
+        "WHAT", options->what,
         "An environment (.exr, .hdr, .ktx2, .dds, studio) to filter; ltc: the matrices of linearly "
         "transformed cosines; lobes: reads of environments along the lobe; dfg: directional albedos");
     add_bake_probes(*command, action);

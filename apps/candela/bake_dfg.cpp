@@ -50,8 +50,8 @@ int bake_dfg_table(const std::string& output, const std::string& visibility, std
         throw Error(Fault::usage, "this table is written as EXR", file.string(), "-o dfg_table.exr");
     io::check_output_file(file);
     const bake::DfgTable table = [&] {
-        const ProgressLine line("computing directional albedos");
-        return bake::bake_dfg(visibility_of(visibility), size, kSamples);
+        ProgressLine line("computing directional albedos");
+        return bake::bake_dfg(visibility_of(visibility), size, kSamples, line.function());
     }();
     std::vector<std::vector<float>> planes(4, std::vector<float>(table.texels.size()));
     for (std::size_t i = 0; i < table.texels.size(); ++i) {

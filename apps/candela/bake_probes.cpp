@@ -98,7 +98,7 @@ void add_bake_probes(CLI::App& bake, Action& action) {
     auto options = std::make_shared<BakeProbesOptions>();
     CLI::App* command = bake.add_subcommand(
         "probes", "Fill the cache with what a stage's irradiance volumes and reflection probes hold");
-    command->add_option("scene", options->job.scene_file, "The scene");
+    command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file");
     add_scene_options(*command, options->job);
     command->add_option("--profile", options->job.profile, "Of the pictures to come");
     command

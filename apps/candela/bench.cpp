@@ -13,6 +13,7 @@
 #include "job.hpp"
 #include "local_light.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -71,6 +72,7 @@ int bench(const BenchOptions& options) {
     std::vector<double> frame_ms;
     std::vector<std::vector<gpu::PassTime>> passes;
     {
+        ProgressLine line("drawing frames");
         realtime::Renderer renderer(device, job.scene, renderer_options);
         (void)renderer.render_frame(job.camera, job.exposure);
         if (options.first_frame_only) {
@@ -81,13 +83,17 @@ int bench(const BenchOptions& options) {
             const auto frame = Clock::now();
             passes.push_back(renderer.render_frame(job.camera, job.exposure));
             frame_ms.push_back(milliseconds_since(frame));
+            line.report((i + 1.0) / options.frames);
         }
         warn_of_unshadowed(renderer.unshadowed_lights(), job.diagnostics);
     }
     const std::vector<gpu::PassTime> pass_ms = median_passes(passes);
     const double device_mib = static_cast<double>(device.peak_memory_bytes()) / (1024.0 * 1024.0);
     const double host_mib = peak_host_mib();
-    const StartTimes starts = measure_starts();
+    const StartTimes starts = [] {
+        const ProgressLine line("starting twice");
+        return measure_starts();
+    }();
     if (options.job.json) {
         const nlohmann::json out{{"version", version()},
                                  {"device", device_line(device.info())},

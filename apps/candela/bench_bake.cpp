@@ -1,6 +1,7 @@
 #include "bench_bake.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "candela/measure/filter_error.hpp"
 #include "candela/version.hpp"
 #include "option_rules.hpp"
+#include "progress_line.hpp"
 
 namespace candela::app {
 namespace {
@@ -91,15 +93,24 @@ int bench_bake(const BenchBakeOptions& options) {
     }
     nlohmann::json out{{"version", version()}, {"size", options.size}, {"maps", nlohmann::json::array()}};
     for (const scene::Environment& environment : environments) {
-        const measure::FilterTruth truth =
-            measure::filter_truth(environment, options.size, scene::RoughnessMapping::linear, options.texels);
+        const measure::FilterTruth truth = [&] {
+            const ProgressLine line("integrating " + environment.name);
+            return measure::filter_truth(environment, options.size, scene::RoughnessMapping::linear,
+                                         options.texels);
+        }();
         if (!options.json)
             std::printf("%s, %ux%u, to a cube of %u^2 with all levels, and irradiance\n",
                         environment.name.c_str(), environment.width, environment.height, options.size);
         nlohmann::json results = nlohmann::json::array();
-        for (const auto technique : {FilterTechnique::harmonic, FilterTechnique::filtered_importance,
-                                     FilterTechnique::ggx_importance, FilterTechnique::cosine_power}) {
-            const Result result = measure_technique(technique, environment, truth, options);
+        constexpr std::array techniques{FilterTechnique::harmonic, FilterTechnique::filtered_importance,
+                                        FilterTechnique::ggx_importance, FilterTechnique::cosine_power};
+        for (const auto technique : techniques) {
+            const Result result = [&] {
+                const ProgressLine line("filtering " + environment.name + ", " +
+                                        std::to_string(results.size() + 1) + " of " +
+                                        std::to_string(techniques.size()));
+                return measure_technique(technique, environment, truth, options);
+            }();
             if (!options.json) print(result);
             results.push_back(to_json(result));
         }

@@ -80,6 +80,7 @@ void check_request(const CompareOptions& options) {
             throw Error(Fault::usage, "unknown kind of output", file, ".html, .png or .exr");
         io::check_output_file(file);
     }
+    refuse_same_output(options.outputs);
     const SceneOptions& scene = options.scene;
     const std::size_t pictures = is_scene(options.inputs[0]) ? scene.picture_count() : options.inputs.size();
     if (!options.names.empty() && options.names.size() != pictures)
@@ -334,9 +335,11 @@ int compare(const CompareOptions& options) {
     std::vector<measure::Comparison> comparisons(lineup.pictures.size());
     for (std::size_t i = 0; i < lineup.pictures.size(); ++i) {
         if (i == lineup.reference) continue;
-        const ProgressLine line("comparing " + lineup.pictures[i].name + " with " +
-                                lineup.pictures[lineup.reference].name);
-        comparisons[i] = measure::compare(lineup.pictures[i].picture, reference, exposed.options);
+        ProgressLine line("comparing " + lineup.pictures[i].name + " with " +
+                          lineup.pictures[lineup.reference].name);
+        measure::ComparisonOptions how = exposed.options;
+        how.progress = line.function();
+        comparisons[i] = measure::compare(lineup.pictures[i].picture, reference, how);
         if (comparisons[i].metrics.nonfinite > 0) {
             lineup.diagnostics.warn(lineup.pictures[i].name + ": " +
                                     std::to_string(comparisons[i].metrics.nonfinite) +
@@ -394,18 +397,10 @@ void add_compare(CLI::App& app, Action& action) {
                                            "real-time frame against its ground truth");
     command->add_option("PICTURES", options->inputs, "A.exr|.hdr|.png ... REFERENCE, or one SCENE.glb|.gltf")
         ->required();
-    command
-        ->add_option("-o,--output", options->outputs,
-                     "report.html, diff.exr or diff.png; may be given several times")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
-    command
-        ->add_option("--threshold", options->thresholds,
-                     "METRIC=VALUE: exit code 1 when worse; may be given several times")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+    command->add_option("-o,--output", options->outputs,
+                        "report.html, diff.exr or diff.png; may be given several times");
+    command->add_option("--threshold", options->thresholds,
+                        "METRIC=VALUE: exit code 1 when worse; may be given several times");
     command->add_option("--names", options->names, "Names of the pictures, separated by commas")
         ->delimiter(',');
     command->add_option("--exposure", options->exposure_ev100, "EV100 at which luminance is shown")

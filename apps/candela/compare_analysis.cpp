@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "candela/measure/verdict.hpp"
+#include "progress_line.hpp"
 #include "shading/language.glsl"
 
 namespace candela::app {
@@ -30,8 +31,12 @@ Analysis analyse(const std::vector<NamedPicture>& pictures, std::size_t referenc
     const NamedPicture& reference = pictures[reference_index];
     const bool luminance = options.meaning == measure::PixelMeaning::luminance;
     Analysis out;
-    if (reference.noise_sample)
-        out.noise = measure::compare(*reference.noise_sample, reference.picture, options).metrics;
+    if (reference.noise_sample) {
+        ProgressLine line("measuring the noise of " + reference.name);
+        measure::ComparisonOptions how = options;
+        how.progress = line.function();
+        out.noise = measure::compare(*reference.noise_sample, reference.picture, how).metrics;
+    }
     out.paths.resize(pictures.size());
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const NamedPicture& p = pictures[i];

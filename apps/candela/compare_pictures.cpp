@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "candela/io/file_kind.hpp"
 #include "candela/io/image_read.hpp"
 #include "candela/io/luminance_read.hpp"
 #include "candela/scene/error.hpp"
@@ -47,7 +48,12 @@ NamedPicture load_luminance(const std::string& file, Diagnostics& diagnostics) {
 }
 
 NamedPicture load_display(const std::string& file, Diagnostics& diagnostics) {
-    const scene::Image image = io::decode_image(io::read_file(file, max_picture_bytes), file);
+    const std::vector<std::byte> bytes = io::read_file(file, max_picture_bytes);
+    if (!bytes.empty() && !io::is_display_picture(bytes))
+        throw input_error(
+            io::not_a("an OpenEXR, Radiance .hdr, PNG, JPEG or WebP picture", io::kind_of_file(bytes, file)),
+            file);
+    const scene::Image image = io::decode_image(bytes, file);
     NamedPicture out;
     out.name = std::filesystem::path(file).stem().string();
     out.meaning = measure::PixelMeaning::display;

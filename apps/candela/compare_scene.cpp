@@ -45,10 +45,19 @@ Picture direct_of(const Still& still) {
                     1.0f);
 }
 
+Picture indirect_of(const Still& still) {
+    return combined(picture_of(still, Aov::indirect_diffuse), picture_of(still, Aov::indirect_specular), 1.0f,
+                    1.0f);
+}
+
 LightPaths paths_of(const Still& still) {
-    return {picture_of(still, Aov::direct_diffuse),   picture_of(still, Aov::direct_specular),
-            picture_of(still, Aov::indirect_diffuse), picture_of(still, Aov::indirect_specular),
-            picture_of(still, Aov::emissive),         {}};
+    return {picture_of(still, Aov::direct_diffuse),
+            picture_of(still, Aov::direct_specular),
+            picture_of(still, Aov::indirect_diffuse),
+            picture_of(still, Aov::indirect_specular),
+            picture_of(still, Aov::emissive),
+            {},
+            {}};
 }
 
 std::string seconds_text(double seconds) {
@@ -79,7 +88,7 @@ struct SceneSource {
     std::function<NamedPicture(const gpu::Device&, const std::string& progress_label)> render;
 };
 
-/// The path tracer's pictures of one job: the truth, and what it takes to tell its paths and its noise apart.
+/// The path tracer's pictures of one job: the truth in two halves, and one without shadows.
 class TruthSource {
   public:
     TruthSource(const SceneOptions& options, Job& job, std::string label)
@@ -115,7 +124,7 @@ class TruthSource {
         out.settings.emplace_back("estimated relative error", text_of(static_cast<float>(error)));
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         out.settings.emplace_back("render time", seconds_text(taken.count()));
-        out.paths = paths(whole);
+        out.paths = paths(whole, first);
         return out;
     }
 
@@ -132,35 +141,28 @@ class TruthSource {
         return render_by_path(job_, job_options, path, {});
     }
 
-    static void average(Still& a, const Still& b, float weight_a) {
-        const auto mix = [&](std::vector<glm::vec4>& x, const std::vector<glm::vec4>& y) {
-            for (std::size_t i = 0; i < x.size(); ++i) x[i] = weight_a * x[i] + (1.0f - weight_a) * y.at(i);
-        };
-        mix(a.planes.light_nit, b.planes.light_nit);
-        mix(a.planes.unlit, b.planes.unlit);
-        for (std::size_t i = 0; i < a.planes.aovs.size(); ++i) mix(a.planes.aovs[i], b.planes.aovs[i]);
+    static void mix(std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b, float weight_a) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] = weight_a * a[i] + (1.0f - weight_a) * b.at(i);
     }
 
-    /// The frame counts the environment as indirect, the path tracer as direct where it is seen from the
-    /// first surface: direct light alone is traced again without it.
-    LightPaths paths(const Still& whole) {
+    static void average(Still& a, const Still& b, float weight_a) {
+        mix(a.planes.light_nit, b.planes.light_nit, weight_a);
+        mix(a.planes.unlit, b.planes.unlit, weight_a);
+        for (std::size_t i = 0; i < a.planes.aovs.size(); ++i)
+            mix(a.planes.aovs[i], b.planes.aovs[i], weight_a);
+    }
+
+    /// The film tells the paths apart. What shadows and occlusion take away is the difference of the first
+    /// half and of the same samples without them: other samples would add their noise to it.
+    LightPaths paths(const Still& whole, const PathModePicture& first) {
         LightPaths out = paths_of(whole);
-        std::optional<scene::Environment> environment;
-        std::swap(environment, job_.scene.environment);
-        const std::uint32_t samples = options_.path_samples;
-        const Still direct = trace(samples, options_.job.seed, true, true).still;
-        const auto rest = [&](Aov direct_aov, Picture LightPaths::*direct_path,
-                              Picture LightPaths::*indirect_path) {
-            const Picture own = picture_of(direct, direct_aov);
-            out.*indirect_path =
-                combined(combined(out.*direct_path, out.*indirect_path, 1.0f, 1.0f), own, 1.0f, -1.0f);
-            out.*direct_path = own;
-        };
-        rest(Aov::direct_diffuse, &LightPaths::direct_diffuse, &LightPaths::indirect_diffuse);
-        rest(Aov::direct_specular, &LightPaths::direct_specular, &LightPaths::indirect_specular);
-        if (options_.job.shadows.way != "none")
-            out.unshadowed_direct = direct_of(trace((samples + 1) / 2, options_.job.seed, true, false).still);
-        std::swap(environment, job_.scene.environment);
+        if (options_.job.shadows.way == "none") return out;
+        const Still open = trace(first.info.samples, options_.job.seed, true, false).still;
+        const Picture taken = combined(direct_of(open), direct_of(first.still), 1.0f, -1.0f);
+        out.unshadowed_direct = combined(direct_of(whole), taken, 1.0f, 1.0f);
+        if (job_.scene.environment)
+            out.occluded_environment =
+                combined(indirect_of(open), picture_of(whole, first.environment_nit), 1.0f, -1.0f);
         return out;
     }
 
@@ -177,6 +179,28 @@ FrameModeStill frame_of(const gpu::Device& device, const SceneOptions& options, 
         {integrate, samples, options.job.seed, true, shadows, options.job.shadows.atlas_texels, label});
 }
 
+/// A second frame without shadows and occlusion tells what they take away. Probes hold the environment and
+/// what surfaces reflect of it as one: with them its occlusion is unknown.
+void add_unobstructed(const gpu::Device& device, const SceneOptions& options, Job& job, const Still& still,
+                      const std::string& label, LightPaths& paths) {
+    scene::Scene& scene = job.scene;
+    const bool probes = !scene.irradiance_volumes.empty() || !scene.reflection_probes.empty();
+    // Direct light needs no probes: filling them once more would be in vain.
+    std::vector<scene::IrradianceVolume> volumes;
+    std::vector<scene::ReflectionProbe> captures;
+    std::swap(volumes, scene.irradiance_volumes);
+    std::swap(captures, scene.reflection_probes);
+    const std::vector<scene::Material> materials = scene.materials;
+    for (scene::Material& material : scene.materials) material.occlusion_strength = 0.0f;
+    const Still open = frame_of(device, options, job, false, Shadows::none, label).still;
+    scene.materials = materials;
+    std::swap(volumes, scene.irradiance_volumes);
+    std::swap(captures, scene.reflection_probes);
+    paths.unshadowed_direct = direct_of(open);
+    if (scene.environment && !probes)
+        paths.occluded_environment = combined(indirect_of(open), indirect_of(still), 1.0f, -1.0f);
+}
+
 NamedPicture device_picture(const gpu::Device& device, const SceneOptions& options, Job& job, bool integrate,
                             const std::string& name, const std::string& label) {
     const bool none = options.job.shadows.way == "none";
@@ -191,9 +215,7 @@ NamedPicture device_picture(const gpu::Device& device, const SceneOptions& optio
     out.settings.emplace_back("render time",
                               seconds_text(frame.render_s) + ", set-up " + seconds_text(frame.setup_s));
     out.paths = paths_of(frame.still);
-    if (!none && !integrate)
-        out.paths->unshadowed_direct =
-            direct_of(frame_of(device, options, job, false, Shadows::none, label).still);
+    if (!none && !integrate) add_unobstructed(device, options, job, frame.still, label, *out.paths);
     return out;
 }
 
@@ -260,21 +282,14 @@ void add_compared_scene_options(CLI::App& command, SceneOptions& o) {
     add_picture_options(command, job);
     add_device_options(command, job);
     command.remove_option(command.get_option("--profile"));
-    command
-        .add_option(
-            "--profile", o.profiles,
-            "Of a scene (best); may be given several times; truth has the material model of the first")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+    command.add_option(
+        "--profile", o.profiles,
+        "Of a scene (best); may be given several times; truth has the material model of the first");
     command
         .add_option(
             "--modes", o.modes,
             "Which pictures of a scene (realtime,path,integrate); the reference is path, else integrate")
         ->delimiter(',')
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all()
         ->check(CLI::IsMember({"realtime", "path", "integrate"}));
     command.add_option("--samples,--spp", o.samples, "Samples a pixel of a scene's real-time frame")
         ->check(CLI::Range(1u, 4096u))

@@ -237,7 +237,7 @@ json light_json(const scene::Light& light) {
 
 /// All light, in lx at normal incidence from everywhere: what must not change.
 double total_lx(const Environment& e) {
-    return 4.0 * M_PI * scene::statistics_of(e).mean_luminance_nit;
+    return 4.0 * M_PI * shading::luminance(scene::mean_nit(e));
 }
 
 int split(const EnvOptions& options) {

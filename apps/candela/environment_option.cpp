@@ -69,11 +69,15 @@ void check_environment_name(const std::string& name) {
 
 io::ReadEnvironment environment_picture(const std::string& name, const EnvironmentFileOptions& options,
                                         Diagnostics& diagnostics) {
-    const ProgressLine line("reading the environment");
+    ProgressLine line("reading the environment");
     if (name == "studio") return {bake::studio_environment(), true};
     const std::optional<scene::SkySettings> settings = sky_of_option(name);
     if (!settings) check_environment_name(name);
-    if (!settings) return io::read_environment(name, diagnostics, environment_options(options));
+    if (!settings) {
+        io::EnvironmentOptions how = environment_options(options);
+        how.progress = line.function();
+        return io::read_environment(name, diagnostics, how);
+    }
     bake::Sky sky = bake::sky_of(*settings);
     if (sky.sun) put_into(sky.environment, *sky.sun);
     return {std::move(sky.environment), true};

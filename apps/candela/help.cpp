@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "candela/io/json_reader.hpp"
+#include "candela/scene/error.hpp"
 
 namespace candela::app {
 namespace {
@@ -243,6 +244,10 @@ std::vector<std::string> without_help_command(const CLI::App& app, std::vector<s
     for (const std::string& word : arguments) {
         // Of a command that there is not, the parser says so.
         const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
+        if (word == "--help" || word == "-h") continue;
+        if (named.empty() && at != &app)
+            throw Error(Fault::usage, "no command of candela " + at->get_name(), word,
+                        "candela help " + at->get_name());
         if (named.empty()) return arguments;
         at = named.front();
     }

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -101,20 +102,25 @@ json scene_json(const JobOptions& options) {
 
 void print_scene(const json& s) {
     std::printf("%s: %zu triangles, %zu meshes, %zu instances, %zu materials, %zu images\n",
-                s["file"].get<std::string>().c_str(), s["triangles"].get<std::size_t>(),
+                printable(s["file"].get<std::string>()).c_str(), s["triangles"].get<std::size_t>(),
                 s["meshes"].get<std::size_t>(), s["instances"].get<std::size_t>(), s["materials"].size(),
                 s["images"].get<std::size_t>());
     if (s["points"] != 0 || s["line_segments"] != 0)
         std::printf("  strokes  %zu points, %zu line segments\n", s["points"].get<std::size_t>(),
                     s["line_segments"].get<std::size_t>());
-    if (s.contains("bounds_m")) std::printf("  bounds   %s m\n", s["bounds_m"].dump().c_str());
+    if (s.contains("bounds_m")) {
+        const auto b = s["bounds_m"].get<std::array<std::array<double, 3>, 2>>();
+        std::printf("  bounds   %.7g, %.7g, %.7g to %.7g, %.7g, %.7g m\n", b[0][0], b[0][1], b[0][2], b[1][0],
+                    b[1][1], b[1][2]);
+    }
     for (const json& camera : s["cameras"])
         std::printf("  camera   %s\n", printable(camera.get<std::string>()).c_str());
     for (const json& light : s["lights"]) {
         for (const std::string& line : light_lines(light)) std::printf("%s\n", printable(line).c_str());
     }
-    for (const json& surface : s["emissive_surfaces"])
-        std::printf("%s\n", printable(emissive_line(surface)).c_str());
+    for (const json& surface : s["emissive_surfaces"]) {
+        for (const std::string& line : emissive_lines(surface)) std::printf("%s\n", printable(line).c_str());
+    }
     for (const json& probe : s["reflection_probes"])
         std::printf("%s\n", printable(probe_line(probe)).c_str());
     for (const json& volume : s["irradiance_volumes"])
@@ -122,7 +128,7 @@ void print_scene(const json& s) {
     if (s.contains("environment")) {
         const json& e = s["environment"];
         std::printf("  environment %s, %ux%u, %.6g lx on an up-facing plane\n",
-                    e["name"].get<std::string>().c_str(), e["width"].get<unsigned>(),
+                    printable(e["name"].get<std::string>()).c_str(), e["width"].get<unsigned>(),
                     e["height"].get<unsigned>(), e["upward_illuminance_lx"].get<double>());
     }
     for (const json& w : s["warnings"]) {

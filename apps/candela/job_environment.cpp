@@ -81,7 +81,7 @@ namespace {
 
 /// Without the units of emission.
 void choose_environment(const JobOptions& options, const io::Stage& stage, Job& job) {
-    const ProgressLine line("reading the environment");
+    ProgressLine line("reading the environment");
     float lux = 0.0f;  // 0: leave the scale as it is
     bool absolute = true;
     std::optional<scene::Light> sun;
@@ -105,6 +105,7 @@ void choose_environment(const JobOptions& options, const io::Stage& stage, Job& 
         check_environment_name(options.environment);
         io::EnvironmentOptions how = environment_options(options.env_file);
         how.memory = options.memory;
+        how.progress = line.function();
         absolute = set_file(io::read_environment(options.environment, job.diagnostics, how), job);
     }
     if (!job.scene.environment && job.scene.lights.empty()) {

@@ -161,14 +161,14 @@ json emissive_json(const realtime::EmissiveSurface& surface, const scene::Scene&
             {"power_lm", double(shading::PI) * nit * surface.area_m2 * sides}};
 }
 
-std::string emissive_line(const json& s) {
-    return "  glowing  " + s["name"].get<std::string>() + ": " +
-           format("%.0f triangles", s["triangles"].get<double>()) +
-           format(", %.4g m2", s["area_m2"].get<double>()) +
-           (s["two_sided"].get<bool>() ? ", two-sided" : "") + " (material " +
-           s["material"].get<std::string>() + ")\n           " +
-           format("%.6g lm", s["power_lm"].get<double>()) +
-           format(", %.6g cd/m2", s["luminance_nit"].get<double>());
+std::vector<std::string> emissive_lines(const json& s) {
+    return {"  emissive " + s["name"].get<std::string>() + ": " +
+                format("%.0f triangles", s["triangles"].get<double>()) +
+                format(", %.4g m2", s["area_m2"].get<double>()) +
+                (s["two_sided"].get<bool>() ? ", two-sided" : "") + " (material " +
+                s["material"].get<std::string>() + ")",
+            "           " + format("%.6g lm", s["power_lm"].get<double>()) +
+                format(", %.6g cd/m2", s["luminance_nit"].get<double>())};
 }
 
 }  // namespace candela::app

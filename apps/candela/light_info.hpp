@@ -15,9 +15,9 @@ namespace candela::app {
 /// The same for people: a first line, and its quantities below.
 [[nodiscard]] std::vector<std::string> light_lines(const nlohmann::json& light);
 
-/// A surface that glows, as a light.
+/// An emissive surface, as a light.
 [[nodiscard]] nlohmann::json emissive_json(const realtime::EmissiveSurface& surface,
                                            const scene::Scene& scene);
-[[nodiscard]] std::string emissive_line(const nlohmann::json& surface);
+[[nodiscard]] std::vector<std::string> emissive_lines(const nlohmann::json& surface);
 
 }  // namespace candela::app

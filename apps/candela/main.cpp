@@ -1,5 +1,8 @@
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <vector>
@@ -17,6 +20,15 @@ int fail(const std::string& line, candela::Fault fault) {
     return static_cast<int>(fault);
 }
 
+/// What was printed has to arrive: a full disk is no success.
+int finish(int code) {
+    std::cout.flush();
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    if (arrived || code != 0) return code;
+    return fail(std::string("standard output: cannot be written: ") + std::strerror(errno),
+                candela::Fault::machine);
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Candela: light in physical units, on Vulkan, with its own proof");
     app.set_version_flag("--version", std::string("candela ") + candela::version());
@@ -32,6 +44,7 @@ int run(int argc, char** argv) {
     candela::app::add_validate(app, action);
     candela::app::add_light(app, action);
     candela::app::add_env(app, action);
+    candela::app::limit_value_counts(app);
     candela::app::arrange_help(app);
     app.add_subcommand("help", "Help on a command: candela help COMMAND");
     // Before any command looks at its options.
@@ -44,11 +57,11 @@ int run(int argc, char** argv) {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-        if (asked) return app.exit(error);
+        if (asked) return finish(app.exit(error));
         const std::string line = candela::app::parse_error_line(app, error, arguments);
         return fail(candela::Error(candela::Fault::usage, line).line(), candela::Fault::usage);
     }
-    return action();
+    return finish(action());
 }
 
 }  // namespace

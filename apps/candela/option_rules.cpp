@@ -1,7 +1,9 @@
 #include "option_rules.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <regex>
 
 #include "candela/io/json_reader.hpp"
@@ -84,6 +86,16 @@ std::string unexpected(const Reached& at, const std::vector<std::string>& left) 
                    did_you_mean(io::nearest_name(left.front(), subcommands_of(*at.command))), help);
 }
 
+std::string out_of_range(const std::string& text, const std::string& low, const std::string& high) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault == std::errc::invalid_argument || end != text.data() + text.size())
+        return "not a number: " + text + ": " + low + " to " + high;
+    const bool inside = value >= std::stod(low) && value <= std::stod(high);
+    return text + (inside ? " is not a whole number in the range " : " is not in range ") + low + " to " +
+           high;
+}
+
 /// CLI11's words where they are a parser's and not a user's.
 std::string plain(const std::string& what) {
     std::smatch match;
@@ -93,6 +105,14 @@ std::string plain(const std::string& what) {
         return match[1].str() + ": needs a value";
     if (std::regex_match(what, match, std::regex(R"((\S+): At least (\d+) required but received (\d+))")))
         return match[1].str() + ": needs " + match[2].str() + " values and has " + match[3].str();
+    if (std::regex_match(what, match, std::regex(R"((\S+): At Most (\d+) required but received (\d+))")))
+        return match[1].str() + ": takes " + match[2].str() + " values and has " + match[3].str();
+    if (std::regex_match(what, match, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))")))
+        return match[1].str() + ": " + out_of_range(match[2], match[3], match[4]);
+    if (std::regex_match(what, match, std::regex(R"((\S+):  not in \{.*)")))
+        return match[1].str() + ": has no value";
+    if (std::regex_match(what, match, std::regex(R"((\S+): Value (.*) is not (a power of two .*))")))
+        return match[1].str() + ": " + match[2].str() + " is not " + match[3].str();
     return what;
 }
 
@@ -132,6 +152,17 @@ void refuse_before_subcommand(const CLI::App& command, const std::vector<std::st
     }
 }
 
+void refuse_same_output(const std::vector<std::string>& files) {
+    std::vector<std::filesystem::path> met;
+    for (const std::string& file : files) {
+        std::error_code ignored;
+        const std::filesystem::path place = std::filesystem::weakly_canonical(file, ignored);
+        if (std::find(met.begin(), met.end(), place) != met.end())
+            throw Error(Fault::usage, "is given twice", file, "each output once");
+        met.push_back(place);
+    }
+}
+
 void refuse_empty_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         const std::vector<std::string>& values = option->results();
@@ -139,6 +170,18 @@ void refuse_empty_values(const CLI::App& command) {
             throw Error(Fault::usage, "has no value", option->get_name(), "what it is given is empty");
     }
     for (const CLI::App* sub : command.get_subcommands()) refuse_empty_values(*sub);
+}
+
+void limit_value_counts(CLI::App& app) {
+    for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->nonpositional(); })) {
+        if (!option->get_allow_extra_args()) continue;
+        option->allow_extra_args(false);
+        // Without a count of its own.
+        if (option->get_items_expected_max() >= CLI::detail::expected_max_vector_size)
+            option->expected(1)->take_all();
+    }
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        limit_value_counts(*command);
 }
 
 CLI::Validator number_in(double low, double high) {
@@ -173,6 +216,8 @@ std::string parse_error_line(const CLI::App& app, const CLI::ParseError& error,
     const std::vector<std::string> left = app.remaining(true);
     const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     if (extra && !left.empty()) return unexpected(at, left);
+    if (const auto end = what.find(" is required"); end != std::string::npos)
+        return at.name + ": needs " + what.substr(0, end) + " (" + at.name + " --help)";
     return plain(what) + " (" + at.name + " --help)";
 }
 

@@ -23,9 +23,17 @@ void refuse_without_effect(const CLI::App& command, const std::vector<std::strin
 /// None of the command's options but these (and --help), where a subcommand follows that has its own.
 void refuse_before_subcommand(const CLI::App& command, const std::vector<std::string>& but = {});
 
+/// Each output once, by whatever names: the last one would take the place of the others.
+void refuse_same_output(const std::vector<std::string>& files);
+
 /// No option or argument with nothing as its value, as a script's variable that is not set leaves it; of the
 /// subcommands that were called, too.
 void refuse_empty_values(const CLI::App& command);
+
+/// Lets every option of every command take its values and nothing behind them, so that a scene may follow it:
+/// as many as it has a fixed count of (`--at 0,0,1` or `--at 0 0 1`), else those of one word (`--aov a,b`),
+/// again each time that it is given.
+void limit_value_counts(CLI::App& app);
 
 /// A number within these bounds. CLI::Range lets NaN through, because it is not outside of them.
 [[nodiscard]] CLI::Validator number_in(double low, double high);

@@ -12,6 +12,7 @@
 #include "candela/realtime/exposure_control.hpp"
 #include "candela/realtime/exposure_meter.hpp"
 #include "candela/scene/error.hpp"
+#include "candela/scene/memory_budget.hpp"
 #include "candela/truth/render_path.hpp"
 #include "fingerprint.hpp"
 #include "option_rules.hpp"
@@ -30,7 +31,7 @@ constexpr std::uint32_t kPlentySamples = 1u << 18;
 /// A signal handler can reach nothing but a global.
 std::atomic<bool> g_stop = false;
 
-/// Asks for the picture so far on the first Ctrl-C; the second one kills, as ever.
+/// Asks for the picture so far on the first Ctrl-C; the second one kills, as usual.
 class InterruptHandler {
   public:
     InterruptHandler() {
@@ -290,6 +291,13 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     o.seed = options.seed;
     o.lens = lens_of(job, path);
     o.aovs = path.light_paths || !files.aovs.empty();
+    const std::uint64_t pixel_bytes = FilmLayout{o.aovs}.channels() * sizeof(double) +
+                                      (o.aovs ? realtime::kAovCount + 1 : 1) * sizeof(glm::vec4);
+    const std::uint64_t bytes = pixel_bytes * o.width * o.height;
+    if (const std::uint64_t left = scene::available_memory().bytes; bytes > left)
+        throw machine_error("the picture takes " + scene::memory_text(bytes) + " of memory, there are " +
+                                scene::memory_text(left),
+                            "--size", "a smaller picture");
     o.checkpoint = path.checkpoint;
     if (path.checkpoint.empty() && !files.outputs.empty()) o.checkpoint = files.outputs.front() + ".part";
     o.checkpoint_every_s = path.checkpoint_every_s;
@@ -310,6 +318,12 @@ PathModePicture render_by_path(Job& job, const JobOptions& options, const PathMo
     out.finished = render.outcome == truth::PathOutcome::finished;
     out.error = render.film.picture_error(truth::kErrorFloor * render.film.median_luminance_nit());
     out.still = to_still(render.film, job);
+    if (o.aovs) {
+        out.environment_nit.resize(out.still.planes.light_nit.size());
+        each_pixel(render.film, [&](std::size_t i, const double* p, std::uint32_t n) {
+            out.environment_nit[i] = mean3(p + FilmLayout::environment, n);
+        });
+    }
     out.info.mode = "path";
     out.info.device = "CPU, Embree";
     out.info.samples = fewest_samples(render.film);

@@ -35,6 +35,8 @@ void check_path_options(const CLI::App& command, const ShadowRequestOptions& sha
 
 struct PathModePicture {
     realtime::Still still;
+    /// With light paths, in cd/m^2: what comes straight from the environment to the surface that is seen.
+    std::vector<glm::vec4> environment_nit;
     PictureInfo info;
     std::string note;    ///< how it ended, for people
     bool writes = true;  ///< false in processes that only help another one

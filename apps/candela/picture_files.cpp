@@ -170,10 +170,9 @@ void check_outputs(const PictureFileOptions& options) {
         const std::string e = extension(file);
         if (e != ".png" && e != ".exr")
             throw Error(Fault::usage, "unknown kind of picture", file, ".png or .exr");
-        if (std::count(options.outputs.begin(), options.outputs.end(), file) > 1)
-            throw Error(Fault::usage, "is given twice", file, "each picture once");
         io::check_output_file(file);
     }
+    refuse_same_output(options.outputs);
     const auto known = aov_names();
     for (const std::string& aov : options.aovs) {
         if (std::find(known.begin(), known.end(), aov) != known.end()) continue;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "candela/io/output_folder.hpp"
 #include "candela/scene/error.hpp"
 #include "candela/scene/printable.hpp"
 #include "candela/version.hpp"
@@ -101,6 +102,7 @@ void check_options(const CLI::App& command, const RenderOptions& options) {
 int render(RenderOptions options) {
     const auto start = std::chrono::steady_clock::now();
     check_outputs(options.files);
+    if (!options.path.checkpoint.empty()) io::check_output_file(options.path.checkpoint);
     check_mode(options);
     Job job = prepare(options.job);
     Seconds seconds{{"load", seconds_since(start)}};
@@ -166,12 +168,8 @@ void add_render(CLI::App& app, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Render a glTF scene to PNG and EXR");
     command->add_option("SCENE", options->job.scene_file, "A .gltf or .glb file")->required();
-    command
-        ->add_option("-o,--output", options->files.outputs,
-                     "FILE.png or FILE.exr; may be given several times (out.png)")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+    command->add_option("-o,--output", options->files.outputs,
+                        "FILE.png or FILE.exr; may be given several times (out.png)");
     add_scene_options(*command, options->job);
     add_picture_options(*command, options->job);
     add_device_options(*command, options->job);

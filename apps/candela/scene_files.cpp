@@ -1,5 +1,6 @@
 #include "scene_files.hpp"
 
+#include <filesystem>
 #include <map>
 
 #include "candela/io/image_read.hpp"
@@ -28,12 +29,9 @@ void add_scene_file_options(CLI::App& command, SceneFileOptions& o) {
                                                           {"unitless", io::GltfLightUnits::unitless},
                                                           {"raw", io::GltfLightUnits::raw}};
     command.add_option("--stage", o.stage_file, "Stage file (docs/stage.md)");
-    command
-        .add_option("--search", o.search_folders,
-                    "A folder in which the stage's files may lie, beside its own; may be given several times")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+    command.add_option(
+        "--search", o.search_folders,
+        "A folder in which the stage's files may lie, beside its own; may be given several times");
     command.add_option("--light-scale", o.light_scale, "Multiplies every light of the scene file");
     command
         .add_option_function<std::string>(
@@ -57,6 +55,11 @@ StagedScene load_staged_scene(const SceneFileOptions& o, Diagnostics& diagnostic
     check(o.time_s, -1e9f, 1e9f, "--time", "-1e+09 to 1e+09");
     if (o.stage_file.empty() && !o.search_folders.empty())
         throw Error(Fault::usage, "has no effect without a stage", "--search", "--stage FILE");
+    for (const std::string& folder : o.search_folders) {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(folder, ignored))
+            throw input_error("no such folder", folder, "--search");
+    }
     StagedScene out;
     ProgressLine line("loading " + std::filesystem::path(o.scene_file).filename().string());
     io::GltfOptions gltf;

@@ -45,17 +45,28 @@ int run(int argc, char** argv) {
     bool list = false;
     for (const Demo& demo : demos()) known.push_back(demo.name);
     app.add_option("FOLDER", folder, "Where to write; made if missing");
-    app.add_option("--only", names, "These scenes only")->check(CLI::IsMember(known))->delimiter(',');
+    // Of one word each, so that the folder may follow them.
+    app.add_option("--only", names, "These scenes only")
+        ->check(CLI::IsMember(known))
+        ->delimiter(',')
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all();
     app.add_option("--many-lights", many_lights,
                    "Instead: many_lights_COUNT for each COUNT, or COUNT:RANGE with the lamps' range in m")
         ->delimiter(',')
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all()
         ->check(CLI::Validator(is_many_lights, "COUNT[:RANGE]"));
     app.add_flag("--list", list, "Say what there is, and write nothing");
     try {
         app.parse(argc, argv);
         if (!list && folder.empty()) throw CLI::RequiredError("FOLDER");
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::usage);
+        if (error.get_exit_code() == 0) return app.exit(error);
+        std::cerr << "candela-scenes: error: " << error.what() << " (candela-scenes --help)\n";
+        return static_cast<int>(Fault::usage);
     }
     if (list) {
         for (const Demo& demo : demos()) std::cout << demo.name << ": " << demo.about << '\n';

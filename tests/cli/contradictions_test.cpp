@@ -107,7 +107,7 @@ TEST(Contradictions, OfBakes) {
              Case{"bake studio --size 64 --levels 12", "--levels: a cube of 64 has 7 at most"},
              Case{"bake studio --size 64 --preset filament --levels 6", "--levels: a cube of 64 has 5"},
              Case{"bake studio --size 2 --preset filament", "--size"},
-             Case{"bake studio --size 100", "--size: Value 100 is not a power of two"},
+             Case{"bake studio --size 100", "--size: 100 is not a power of two"},
              Case{"bake studio --samples 64", "--samples: has no effect"},
              Case{"bake studio --dfg-size 64", "--dfg-size: has no effect"},
              Case{"bake dfg --size 64", "--size: has no effect on dfg"},
@@ -116,7 +116,7 @@ TEST(Contradictions, OfBakes) {
              Case{"bake -o x probes s.glb", "--output: has no effect before probes"},
              Case{"bench --frames 3 bake", "--frames: has no effect before bake"},
              // Before its heading.
-             Case{"bench bake --size 100", "--size: Value 100 is not a power of two"},
+             Case{"bench bake --size 100", "--size: 100 is not a power of two"},
          })
         expect_refused(c);
 }

@@ -300,7 +300,7 @@ TEST(Messages, ASkyOverASceneWithASunIsTwoSuns) {
     EXPECT_EQ(warnings("--env sky --stage " + (scenes() / "off.json")), "");
 }
 
-TEST(Messages, InfoListsProbesAndWhatGlows) {
+TEST(Messages, InfoListsProbesAndEmissiveSurfaces) {
     const TemporaryFolder folder;
     candela::scenes::write_two_rooms(folder.path());
     const std::string command =
@@ -319,8 +319,11 @@ TEST(Messages, InfoListsProbesAndWhatGlows) {
     EXPECT_EQ(volume["cells"], (nlohmann::json{8, 6, 10}));
     EXPECT_NEAR(volume["size_m"][1].get<double>(), 2.8, 1e-5);
     const std::string text = run_candela(command).out;
-    for (const char* line : {"glowing  panel", "reflection probe cool room", "irradiance volume warm room"})
+    for (const char* line : {"emissive panel", "reflection probe cool room", "irradiance volume warm room"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+    // Nothing unprintable stands in for the end of a line.
+    EXPECT_EQ(text.find('?'), std::string::npos) << text;
+    EXPECT_NE(text.find("bounds   -4.3, -0.2, -2.7 to 4.3, 3, 2.7 m"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "candela/scene/environment_sources.hpp"
+#include "shading/language.glsl"
 #include "sky_of_directions.hpp"
 
 namespace candela::test {
@@ -176,6 +180,36 @@ TEST(Statistics, AUniformSkyAndAKnownPeak) {
     EXPECT_NEAR(s.percentiles_nit[3], 200.0, 1e-4);
     EXPECT_NEAR(s.peak_nit, 200.0, 1e-4);
     EXPECT_NEAR(s.peak_solid_angle_sr, 2.0 * kPi * 0.6, 0.05);
+}
+
+// Against a sort of all texels, on a picture whose luminance spans many powers of two and repeats.
+TEST(Statistics, PercentilesAreThoseOfSortedTexels) {
+    scene::Environment e;
+    e.width = 64;
+    e.height = 32;
+    std::uint32_t state = 1;
+    for (std::uint32_t i = 0; i < e.width * e.height; ++i) {
+        state = state * 1664525u + 1013904223u;
+        e.luminance_nit.emplace_back(std::ldexp(float(state >> 20), int(state % 40) - 20) * float(i % 7));
+    }
+    std::vector<std::pair<float, double>> texels;
+    double all_sr = 0.0;
+    for (std::uint32_t i = 0; i < e.width * e.height; ++i) {
+        const double top = M_PI * (i / e.width) / e.height, bottom = M_PI * (i / e.width + 1.0) / e.height;
+        const double solid_angle = 2.0 * M_PI / e.width * (std::cos(top) - std::cos(bottom));
+        texels.emplace_back(shading::luminance(e.luminance_nit[i]), solid_angle);
+        all_sr += solid_angle;
+    }
+    EXPECT_NEAR(all_sr, 4.0 * M_PI, 1e-9);
+    std::sort(texels.begin(), texels.end());
+    const scene::EnvironmentStatistics s = scene::statistics_of(e);
+    for (std::size_t p = 0; p < s.percentiles_nit.size(); ++p) {
+        double below_sr = 0.0;
+        std::size_t i = 0;
+        while (below_sr + texels[i].second < scene::kPercentiles[p] / 100.0 * all_sr)
+            below_sr += texels[i++].second;
+        EXPECT_NEAR(s.percentiles_nit[p], double(texels[i].first), 1e-6 * double(texels[i].first)) << p;
+    }
 }
 
 }  // namespace

@@ -284,3 +284,18 @@ TEST(Quantization, NormalsUvsAndPositionsOfBytesAndShorts) {
     EXPECT_EQ(p.normals[1], glm::vec3(0, 0, 1));
     EXPECT_EQ(p.uv[0][1], glm::vec2(1, 0));
 }
+
+TEST(Textures, ReadTheSetThatTheMaterialNames) {
+    GltfBuilder b = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    add_texture(b, png_of_four_texels());
+    primitive_of(b)["attributes"]["TEXCOORD_5"] = b.accessor<float>({0.1f, 0, 0.2f, 0, 0, 0.3f}, "VEC2", 2);
+    b.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 5;
+    b.doc["materials"][0]["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
+    Diagnostics diagnostics;
+    const scene::Scene s = load(b, diagnostics);
+    EXPECT_TRUE(diagnostics.warnings().empty());
+    const scene::Material& m = s.materials.at(0);
+    const scene::Primitive& p = only_primitive(s);
+    EXPECT_FLOAT_EQ(p.uv.at(m.base_color_texture.uv_set).at(1).x, 0.2f);
+    EXPECT_FLOAT_EQ(p.uv.at(m.emissive_texture.uv_set).at(1).x, 0.5f);
+}

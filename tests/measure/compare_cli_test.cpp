@@ -211,12 +211,35 @@ TEST_F(CompareCommand, AScenesFrameIsComparedWithItsTruth) {
         << "the command line";
     // The paths add up to what is seen but the background, each on its side.
     const json& paths = out["pictures"][0]["light_paths"];
-    ASSERT_EQ(paths.size(), 6u);
+    ASSERT_EQ(paths.size(), 7u);
     double share = 0.0;
     for (const json& row : paths) share += row["share"].get<double>();
     EXPECT_NEAR(share, 1.0, 1e-6);
     EXPECT_GT(paths[2]["reference_mean_nit"], 0.0) << "the environment is no direct light";
     EXPECT_NEAR(paths[2]["mean_nit"].get<double>() / paths[2]["reference_mean_nit"].get<double>(), 1.0, 0.5);
+    // Spheres hide some of the environment from each other, which the frame does not see.
+    EXPECT_EQ(paths[6]["path"], "occlusion (in environment)");
+    EXPECT_GT(paths[6]["reference_mean_nit"], 0.0);
+    EXPECT_LT(paths[6]["reference_mean_nit"], 0.5 * (paths[2]["reference_mean_nit"].get<double>() +
+                                                     paths[3]["reference_mean_nit"].get<double>()));
+    EXPECT_EQ(paths[6]["mean_nit"], 0.0);
+    EXPECT_EQ(paths[6]["share"], 0.0);
+}
+
+// Noise of the reference is not light of another path.
+TEST_F(CompareCommand, WhereAllLightIsDirectNothingIsIndirect) {
+    for (const auto& demo : candela::scenes::demos()) demo.write(folder_.path());
+    const json out = json::parse(
+        run_candela("compare " + (folder_ / "lamps.glb") + " --stage " + (folder_ / "lamps.stage.json") +
+                    " --size 64x36 --samples 1 --json --modes realtime,path --path-spp 4 "
+                    "--direct-only")
+            .out);
+    const json& paths = out["pictures"][0]["light_paths"];
+    EXPECT_GT(paths[0]["reference_mean_nit"], 0.0);
+    for (const std::size_t indirect : {2u, 3u}) {
+        EXPECT_EQ(paths[indirect]["reference_mean_nit"], 0.0);
+        EXPECT_EQ(paths[indirect]["mean_absolute_difference_nit"], 0.0);
+    }
 }
 
 TEST_F(CompareCommand, AModeThatIsNotNamedIsLeftOut) {

@@ -14,8 +14,13 @@ Picture grey(float nit) {
 }
 
 LightPaths paths(float direct_diffuse, float direct_specular, float indirect, float unshadowed) {
-    return {grey(direct_diffuse), grey(direct_specular), grey(indirect), grey(0.0f),
-            grey(1.0f),           grey(unshadowed)};
+    return {grey(direct_diffuse),
+            grey(direct_specular),
+            grey(indirect),
+            grey(0.0f),
+            grey(1.0f),
+            grey(unshadowed),
+            {}};
 }
 
 TEST(LightPaths, TheErrorIsSplitWithoutRemainder) {
@@ -36,6 +41,23 @@ TEST(LightPaths, TheErrorIsSplitWithoutRemainder) {
     double sum = 0.0;
     for (const PathError& row : rows) sum += row.share;
     EXPECT_NEAR(sum, 1.0, 1e-9);
+}
+
+TEST(LightPaths, OcclusionIsARowWhereBothSidesKnowIt) {
+    LightPaths r = paths(10.0f, 4.0f, 5.0f, 20.0f);
+    LightPaths x = paths(10.0f, 4.0f, 8.0f, 20.0f);
+    r.occluded_environment = grey(3.0f);
+    EXPECT_EQ(split_error(x, r).size(), 6u);
+    x.occluded_environment = grey(0.0f);
+    const std::vector<PathError> rows = split_error(x, r);
+    ASSERT_EQ(rows.size(), 7u);
+    EXPECT_EQ(rows[6].path, "occlusion (in environment)");
+    EXPECT_NEAR(rows[6].reference_mean_nit, 3.0, 1e-5);
+    EXPECT_NEAR(rows[6].picture_mean_nit, 0.0, 1e-5);
+    EXPECT_NEAR(rows[6].mean_absolute_nit, 3.0, 1e-5);
+    // Its light is missing, or too much, in the row of the environment already.
+    EXPECT_EQ(rows[6].share, 0.0);
+    EXPECT_NEAR(rows[2].share, 1.0, 1e-6);
 }
 
 TEST(Verdict, NoiseIsNotReadAsError) {
@@ -59,6 +81,15 @@ TEST(Verdict, SaysHowMuchAndWhere) {
               "realtime is clearly different from path: mean FLIP 0.200; it is 15.0 % darker on average. "
               "Most of the "
               "difference is in environment and indirect diffuse light (100 %).");
+}
+
+TEST(Verdict, LessThanHalfIsNotMost) {
+    const LightPaths r = paths(10.0f, 4.0f, 5.0f, 20.0f);
+    VerdictInput in{"realtime", "path", {}, {}, {}, split_error(paths(12.0f, 7.0f, 2.0f, 20.0f), r)};
+    in.metrics.flip = 0.2;
+    EXPECT_NE(verdict(in).find("The largest part of the difference is in direct specular light (38 %)."),
+              std::string::npos)
+        << verdict(in);
 }
 
 }  // namespace

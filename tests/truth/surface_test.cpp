@@ -165,6 +165,37 @@ TEST(PathSurface, TheLobesSumToTheLight) {
     }
 }
 
+// Beside a wall that hides half of a white sky, an irradiance of half of it (1 cd/m2 times albedo times 1/2),
+// and what the wall reflects. The same sample with and without bounces has the same light straight from the
+// sky.
+TEST(PathSurface, LightStraightFromTheEnvironmentIsToldFromWhatSurfacesReflect) {
+    scene::Material white;
+    white.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
+    white.metallic = 0.0f;
+    white.specular = 0.0f;
+    scene::Scene s = scene_of(flat_square(100.0f, glm::vec3(0.0f), true), white);
+    // A wall 5 cm behind the point that is seen, far larger than that.
+    place(s, square(1000.0f), white, glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, -0.05f)));
+    s.environment = constant(1.0f);
+    const truth::PathIntegrator all(s, path_options());
+    const truth::PathIntegrator direct(s, path_options(true));
+    const truth::CameraRays rays(spot_meter(), 1, 1);
+    glm::vec3 environment(0.0f), indirect(0.0f), direct_indirect(0.0f);
+    constexpr std::uint32_t kSamples = 4096;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const truth::PathSampler sampler({0, 0}, i, 0);
+        const truth::PathResult a = all.trace(rays.through({0.5f, 0.5f}, {0.5f, 0.5f}), sampler);
+        const truth::PathResult d = direct.trace(rays.through({0.5f, 0.5f}, {0.5f, 0.5f}), sampler);
+        EXPECT_EQ(a.environment, d.environment);
+        environment += a.environment / float(kSamples);
+        indirect += (a.indirect_diffuse + a.indirect_specular) / float(kSamples);
+        direct_indirect += (d.indirect_diffuse + d.indirect_specular) / float(kSamples);
+    }
+    EXPECT_NEAR(environment.y, direct_indirect.y, 1e-4f);
+    EXPECT_NEAR(environment.y, 0.4f, 0.02f);
+    EXPECT_GT(indirect.y, 1.2f * environment.y);
+}
+
 TEST(Lens, ThingsOutOfFocusBlurAndThingsInFocusDoNot) {
     // An edge of light at 2 m: sharp when focused there, spread over the circle of confusion when focused at
     // 1 m.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <mutex>
 
 #include "shading/dfg.glsl"
 
@@ -22,16 +23,22 @@ glm::vec4 dfg_entry(DfgVisibility visibility, float NoV, float perceptual_roughn
             shading::integrate_sheen_albedo(NoV, perceptual_roughness, sample_count)};
 }
 
-DfgTable bake_dfg(DfgVisibility visibility, std::uint32_t size, std::uint32_t sample_count) {
+DfgTable bake_dfg(DfgVisibility visibility, std::uint32_t size, std::uint32_t sample_count,
+                  const ProgressFunction& progress) {
     DfgTable table;
     table.size = size;
     table.texels.resize(std::size_t{size} * size);
+    std::mutex counting;
+    std::uint32_t rows = 0;
     tbb::parallel_for(0u, size, [&](std::uint32_t y) {
         for (std::uint32_t x = 0; x < size; ++x) {
             const float root = static_cast<float>(x) / static_cast<float>(size - 1);
             table.texels[std::size_t{y} * size + x] = dfg_entry(
                 visibility, root * root, static_cast<float>(y) / static_cast<float>(size - 1), sample_count);
         }
+        if (!progress) return;
+        const std::lock_guard lock(counting);
+        progress(double(++rows) / size);
     });
     return table;
 }

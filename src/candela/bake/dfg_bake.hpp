@@ -4,6 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "candela/scene/progress.hpp"
+
 namespace candela::bake {
 
 enum class DfgVisibility : std::uint8_t { smith_correlated, smith_uncorrelated, schlick_smith };
@@ -23,6 +25,7 @@ struct DfgTable {
 [[nodiscard]] glm::vec4 dfg_entry(DfgVisibility visibility, float NoV, float perceptual_roughness,
                                   std::uint32_t sample_count);
 
-[[nodiscard]] DfgTable bake_dfg(DfgVisibility visibility, std::uint32_t size, std::uint32_t sample_count);
+[[nodiscard]] DfgTable bake_dfg(DfgVisibility visibility, std::uint32_t size, std::uint32_t sample_count,
+                                const ProgressFunction& progress = {});
 
 }  // namespace candela::bake

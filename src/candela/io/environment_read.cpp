@@ -228,13 +228,6 @@ Read from_texture(detail::TextureFile texture) {
     return out;
 }
 
-bool is_display_picture(const std::array<std::byte, 12>& magic) {
-    const auto is = [&](const char* text, std::size_t size, std::size_t at) {
-        return std::memcmp(magic.data() + at, text, size) == 0;
-    };
-    return is("\x89PNG", 4, 0) || is("\xff\xd8\xff", 3, 0) || (is("RIFF", 4, 0) && is("WEBP", 4, 8));
-}
-
 /// A photograph as light: linear, white is 1. PNG pictures of 16 bits a channel keep them.
 Environment read_display_picture(std::span<const std::byte> bytes, const std::string& where,
                                  const std::string& name, const scene::MemoryBudget& memory,
@@ -271,19 +264,22 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
     const auto bytes = [&] { return read_file(file, max_environment_bytes); };
     const scene::MemoryBudget memory = options.memory ? *options.memory : scene::available_memory();
     if (std::memcmp(magic.data(), "\x76\x2f\x31\x01", 4) == 0) {
-        ReadEnvironment exr = detail::read_exr_environment(file, diagnostics, options.layer, memory);
+        ReadEnvironment exr =
+            detail::read_exr_environment(file, diagnostics, options.layer, memory, options.progress);
         const bool absolute = exr.absolute;
         return {std::move(exr), false, {}, absolute};
     }
     if (!options.layer.empty())
         throw input_error("has no layers: it is not an OpenEXR picture", where, "leave --env-layer out");
     if (std::memcmp(magic.data(), "#?", 2) == 0)
-        return {detail::decode_hdr(bytes(), where, diagnostics, memory), false, {}};
+        return {detail::decode_hdr(bytes(), where, diagnostics, memory, options.progress), false, {}};
     if (detail::is_ktx2(magic)) return from_texture(detail::decode_ktx2(bytes(), where, memory));
     if (detail::is_dds(magic)) return from_texture(detail::decode_dds(bytes(), where, memory));
     if (is_display_picture(magic))
         return {
             read_display_picture(bytes(), where, file.filename().string(), memory, diagnostics), false, {}};
+    if (std::error_code ignored; fs::file_size(file, ignored) == 0)
+        throw input_error("the file is empty", where, "a picture of the light is expected");
     throw input_error(
         not_a("a Radiance .hdr, OpenEXR, KTX 2, DDS, PNG, JPEG or WebP picture", kind_of_file(file)), where,
         "an environment holds luminance in cd/m^2");
@@ -292,8 +288,13 @@ Read read_file_of(const fs::path& file, const EnvironmentOptions& options, Diagn
 CubeMap read_faces(const detail::FaceFiles& files, const EnvironmentOptions& options, bool& absolute,
                    Diagnostics& diagnostics) {
     CubeMap cube;
+    double done = 0.0;
+    EnvironmentOptions one = options;
+    if (options.progress)
+        one.progress = [&](double fraction) { options.progress((done + fraction) / double(files.size())); };
     for (const fs::path& file : files) {
-        Read face = read_file_of(file, options, diagnostics);
+        Read face = read_file_of(file, one, diagnostics);
+        done += 1.0;
         absolute = face.absolute;
         const Environment& picture = face.picture;
         if (face.cube || picture.width != picture.height)

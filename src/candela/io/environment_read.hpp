@@ -8,6 +8,7 @@
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/environment_resample.hpp"
 #include "candela/scene/memory_budget.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io {
@@ -35,7 +36,8 @@ struct EnvironmentOptions {
     std::optional<scene::CubeSpace> cube_space;
     NegativeTexels negative = NegativeTexels::clamp;
     std::optional<scene::MemoryBudget> memory;  ///< that the picture may take; absent: what the machine has
-    std::string layer;  ///< of an EXR file, or its part; empty: detail::choose_exr_picture
+    std::string layer;          ///< of an EXR file, or its part; empty: detail::choose_exr_picture
+    ProgressFunction progress;  ///< of decoding; of .hdr and of EXR in scan lines
 };
 
 /// What a file holds, as a picture.

@@ -98,6 +98,20 @@ Imf::Slice slice_of(float* base, const Box2i& window, std::size_t row, std::size
     return Imf::Slice::Make(Imf::FLOAT, base, window, x_stride, y_stride);
 }
 
+/// Reads all lines into the frame buffer that is set. Tiles are read at once: in bands they would be decoded
+/// more than once.
+void read_lines(const Imf::Header& header, Imf::InputPart& part, const ProgressFunction& progress) {
+    const Box2i window = header.dataWindow();
+    // The most lines that any compression keeps together.
+    constexpr int band = 256;
+    if (!progress || header.hasTileDescription()) return part.readPixels(window.min.y, window.max.y);
+    const double lines = double(window.max.y) - double(window.min.y) + 1.0;
+    for (int y = window.min.y; y <= window.max.y; y += band) {
+        progress((double(y) - double(window.min.y)) / lines);
+        part.readPixels(y, std::min(y + band - 1, window.max.y));
+    }
+}
+
 /// One channel at every texel of the data window; between the samples of a coarser one bilinearly, samples
 /// standing at the coordinates that the sampling rate divides (OpenEXR, "Technical Introduction").
 std::vector<float> read_plane(const Imf::Header& header, Imf::InputPart& part, const std::string& name) {
@@ -154,7 +168,7 @@ bool is_subsampled(const Imf::Header& header, const std::vector<std::string>& na
 }
 
 std::vector<glm::vec3> read_colors(const Imf::Header& header, Imf::InputPart& part,
-                                   const detail::ExrPicture& picture) {
+                                   const detail::ExrPicture& picture, const ProgressFunction& progress) {
     const Box2i window = header.dataWindow();
     const Size size = size_of(window);
     std::vector<glm::vec3> texels(size.width * size.height);
@@ -175,7 +189,7 @@ std::vector<glm::vec3> read_colors(const Imf::Header& header, Imf::InputPart& pa
         for (std::size_t c = 0; c < names.size(); ++c)
             frame.insert(names[c], slice_of(&texels[0].x + c, window, size.width, 3));
         part.setFrameBuffer(frame);
-        part.readPixels(window.min.y, window.max.y);
+        read_lines(header, part, progress);
     }
     if (names.size() == 1) {
         for (glm::vec3& texel : texels) texel = glm::vec3(texel.x);
@@ -222,7 +236,8 @@ namespace detail {
 
 ReadEnvironment read_exr_environment(const std::filesystem::path& file, Diagnostics& diagnostics,
                                      const std::string& layer,
-                                     const std::optional<scene::MemoryBudget>& memory) {
+                                     const std::optional<scene::MemoryBudget>& memory,
+                                     const ProgressFunction& progress) {
     ReadEnvironment out;
     const std::string where = file.string();
     read_exr_file(file, [&](Imf::MultiPartInputFile& input, std::uint64_t bytes) {
@@ -235,7 +250,7 @@ ReadEnvironment read_exr_environment(const std::filesystem::path& file, Diagnost
         check_windows(data, display, where);
         for (const Size& size : {size_of(data), size_of(display)})
             check_memory(size.width, size.height, memory, where);
-        out.luminance_nit = read_colors(header, part, picture);
+        out.luminance_nit = read_colors(header, part, picture, progress);
         if (data != display) {
             diagnostics.warn(where + ": its data window is not its display window; what is missing is black");
             out.luminance_nit = display_of(out.luminance_nit, data, display);

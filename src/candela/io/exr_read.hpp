@@ -15,6 +15,7 @@ namespace candela::io::detail {
 /// warning. Chromaticities other than Rec.709 are a warning.
 [[nodiscard]] ReadEnvironment read_exr_environment(const std::filesystem::path& file,
                                                    Diagnostics& diagnostics, const std::string& layer = {},
-                                                   const std::optional<scene::MemoryBudget>& memory = {});
+                                                   const std::optional<scene::MemoryBudget>& memory = {},
+                                                   const ProgressFunction& progress = {});
 
 }  // namespace candela::io::detail

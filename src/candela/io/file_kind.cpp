@@ -11,57 +11,57 @@ namespace candela::io {
 namespace {
 
 constexpr const char* kExport = "export it as .glb, from Blender or another modelling program";
+constexpr const char* kPhotometric = "candela light FILE, or the profile of a light in a stage";
 constexpr const char* kEnvironment = "light from a picture: --env FILE";
 
 struct Magic {
     std::string_view bytes;
-    std::size_t offset;
     const char* name;
-    const char* hint;
+    const char* hint = "";
+    std::size_t offset = 0;
 };
 
 using namespace std::string_view_literals;
 
 constexpr std::array kMagics{
-    Magic{"glTF"sv, 0, "a binary glTF scene", ""},
-    Magic{"\x89PNG\r\n\x1a\n"sv, 0, "a PNG picture", ""},
-    Magic{"\xff\xd8\xff"sv, 0, "a JPEG picture", ""},
-    Magic{"WEBP"sv, 8, "a WebP picture", ""},
-    Magic{"\x76\x2f\x31\x01"sv, 0, "an OpenEXR picture", kEnvironment},
-    Magic{"#?"sv, 0, "a Radiance HDR picture", kEnvironment},
-    Magic{"\xabKTX 20\xbb"sv, 0, "a KTX 2 texture", kEnvironment},
-    Magic{"DDS "sv, 0, "a DDS texture", kEnvironment},
-    Magic{"II*\0"sv, 0, "a TIFF picture", ""},
-    Magic{"MM\0*"sv, 0, "a TIFF picture", ""},
-    Magic{"GIF8"sv, 0, "a GIF picture", ""},
-    Magic{"BM"sv, 0, "a BMP picture", ""},
-    Magic{"8BPS"sv, 0, "a Photoshop picture", ""},
-    Magic{"ftypavif"sv, 4, "an AVIF picture", ""},
-    Magic{"ftyphei"sv, 4, "a HEIF picture", ""},
-    Magic{"IESNA"sv, 0, "an IES photometric file",
-          "candela light FILE, or the profile of a light in a stage"},
-    Magic{"Kaydara FBX"sv, 0, "an FBX scene", kExport},
-    Magic{"; FBX"sv, 0, "an FBX scene", kExport},
-    Magic{"BLENDER"sv, 0, "a Blender file", "export it from Blender as .glb"},
-    Magic{"#usda"sv, 0, "a USD scene", kExport},
-    Magic{"PXR-USDC"sv, 0, "a USD scene", kExport},
-    Magic{"ply\n"sv, 0, "a PLY mesh", kExport},
-    Magic{"ply\r"sv, 0, "a PLY mesh", kExport},
-    Magic{"solid "sv, 0, "an STL mesh", kExport},
-    Magic{"version https://git-lfs"sv, 0, "a Git LFS pointer, not the file itself", "git lfs pull"},
-    Magic{"PK\x03\x04"sv, 0, "a ZIP archive", "unpack it first"},
-    Magic{"\x1f\x8b"sv, 0, "a gzip archive", "unpack it first"},
-    Magic{"%PDF"sv, 0, "a PDF document", ""},
+    Magic{"glTF"sv, "a binary glTF scene"},
+    Magic{"\x89PNG\r\n\x1a\n"sv, "a PNG picture"},
+    Magic{"\xff\xd8\xff"sv, "a JPEG picture"},
+    Magic{"WEBP"sv, "a WebP picture", "", 8},
+    Magic{"\x76\x2f\x31\x01"sv, "an OpenEXR picture", kEnvironment},
+    Magic{"#?"sv, "a Radiance HDR picture", kEnvironment},
+    Magic{"\xabKTX 20\xbb"sv, "a KTX 2 texture", kEnvironment},
+    Magic{"DDS "sv, "a DDS texture", kEnvironment},
+    Magic{"II*\0"sv, "a TIFF picture"},
+    Magic{"MM\0*"sv, "a TIFF picture"},
+    Magic{"GIF8"sv, "a GIF picture"},
+    Magic{"BM"sv, "a BMP picture"},
+    Magic{"8BPS"sv, "a Photoshop picture"},
+    Magic{"ftypavif"sv, "an AVIF picture", "", 4},
+    Magic{"ftyphei"sv, "a HEIF picture", "", 4},
+    Magic{"IESNA"sv, "an IES photometric file", kPhotometric},
+    Magic{"Kaydara FBX"sv, "an FBX scene", kExport},
+    Magic{"; FBX"sv, "an FBX scene", kExport},
+    Magic{"BLENDER"sv, "a Blender file", "export it from Blender as .glb"},
+    Magic{"#usda"sv, "a USD scene", kExport},
+    Magic{"PXR-USDC"sv, "a USD scene", kExport},
+    Magic{"ply\n"sv, "a PLY mesh", kExport},
+    Magic{"ply\r"sv, "a PLY mesh", kExport},
+    Magic{"solid "sv, "an STL mesh", kExport},
+    Magic{"version https://git-lfs"sv, "a Git LFS pointer, not the file itself", "git lfs pull"},
+    Magic{"PK\x03\x04"sv, "a ZIP archive", "unpack it first"},
+    Magic{"\x1f\x8b"sv, "a gzip archive", "unpack it first"},
+    Magic{"%PDF"sv, "a PDF document"},
     Magic{"\x7f"
           "ELF"sv,
-          0, "a program", ""},
-    Magic{"MZ"sv, 0, "a program", ""},
+          "a program"},
+    Magic{"MZ"sv, "a program"},
 };
 
 struct Ending {
     std::string_view ending;
     const char* name;
-    const char* hint;
+    const char* hint = "";
 };
 
 constexpr std::array kEndings{
@@ -73,14 +73,14 @@ constexpr std::array kEndings{
     Ending{".abc", "an Alembic scene", kExport},
     Ending{".vrm", "a VRM avatar", kExport},
     Ending{".pbrt", "a pbrt scene", kExport},
-    Ending{".ldt", "a EULUMDAT photometric file", "candela light FILE, or the profile of a light in a stage"},
-    Ending{".ies", "an IES photometric file", "candela light FILE, or the profile of a light in a stage"},
+    Ending{".ldt", "a EULUMDAT photometric file", kPhotometric},
+    Ending{".ies", "an IES photometric file", kPhotometric},
     Ending{".bin", "a buffer of a glTF scene", "name the .gltf file that belongs to it"},
-    Ending{".tga", "a TGA picture", ""},
-    Ending{".txt", "plain text", ""},
-    Ending{".md", "plain text", ""},
-    Ending{".csv", "a table", ""},
-    Ending{".svg", "an SVG drawing", ""},
+    Ending{".tga", "a TGA picture"},
+    Ending{".txt", "plain text"},
+    Ending{".md", "plain text"},
+    Ending{".csv", "a table"},
+    Ending{".svg", "an SVG drawing"},
 };
 
 std::string lower(std::string text) {

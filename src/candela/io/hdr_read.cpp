@@ -186,7 +186,8 @@ glm::vec3 value_of(const Rgbe& texel) {
 }  // namespace
 
 scene::Environment decode_hdr(std::span<const std::byte> data, const std::string& where,
-                              Diagnostics& diagnostics, const std::optional<scene::MemoryBudget>& memory) {
+                              Diagnostics& diagnostics, const std::optional<scene::MemoryBudget>& memory,
+                              const ProgressFunction& progress) {
     Bytes bytes(data, where);
     const Header header = read_header(bytes, where, diagnostics);
     const std::uint32_t lines = header.columns_first ? header.width : header.height;
@@ -201,6 +202,7 @@ scene::Environment decode_hdr(std::span<const std::byte> data, const std::string
     std::vector<Rgbe> line(length);
     for (std::uint32_t i = 0; i < lines; ++i) {
         read_line(bytes, line);
+        if (progress && i % 64 == 0) progress(double(i) / lines);
         for (std::uint32_t j = 0; j < length; ++j) {
             std::uint32_t x = header.columns_first ? i : j, y = header.columns_first ? j : i;
             if (header.right_to_left) x = out.width - 1 - x;

@@ -7,6 +7,7 @@
 
 #include "candela/scene/diagnostics.hpp"
 #include "candela/scene/memory_budget.hpp"
+#include "candela/scene/progress.hpp"
 #include "candela/scene/scene.hpp"
 
 namespace candela::io::detail {
@@ -17,6 +18,7 @@ namespace candela::io::detail {
 /// warning. Source: Ward, "The RADIANCE Picture File Format".
 [[nodiscard]] scene::Environment decode_hdr(std::span<const std::byte> bytes, const std::string& where,
                                             Diagnostics& diagnostics,
-                                            const std::optional<scene::MemoryBudget>& memory = {});
+                                            const std::optional<scene::MemoryBudget>& memory = {},
+                                            const ProgressFunction& progress = {});
 
 }  // namespace candela::io::detail

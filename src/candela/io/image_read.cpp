@@ -81,6 +81,11 @@ std::vector<std::byte> read_file(const fs::path& file, std::size_t max_bytes) {
     return bytes;
 }
 
+bool is_display_picture(std::span<const std::byte> bytes) {
+    return starts_with(bytes, "\x89PNG\r\n\x1a\n") || starts_with(bytes, "\xff\xd8\xff") ||
+           (starts_with(bytes, "RIFF") && starts_with(bytes, "WEBP", 8));
+}
+
 scene::Image decode_image(std::span<const std::byte> bytes, const std::string& where) {
     if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return detail::decode_png(bytes, where);
     if (starts_with(bytes, "\xff\xd8\xff")) return detail::decode_jpeg(bytes, where);

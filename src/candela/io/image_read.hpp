@@ -13,6 +13,9 @@ namespace candela::io {
 /// The whole file. Throws Error (Fault::input) when missing, a folder, unreadable or larger than max_bytes.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t max_bytes);
 
+/// Whether the content is PNG, JPEG or WebP, by how it begins.
+[[nodiscard]] bool is_display_picture(std::span<const std::byte> bytes);
+
 /// Decodes PNG, JPEG or WebP (by content) to RGBA8. The header is checked before memory is taken: more than
 /// 16384 on a side or more than 2^28 texels is an Error, as is truncated data. `where` names the source in
 /// messages.

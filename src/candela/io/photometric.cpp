@@ -80,6 +80,8 @@ scene::PhotometricProfile load_photometric_from_memory(std::span<const std::byte
                                                        const std::string& where, const fs::path& folder,
                                                        Diagnostics& diagnostics,
                                                        const PhotometricOptions& options) {
+    if (bytes.empty())
+        throw input_error("the file is empty", where, "a photometric file (IES or EULUMDAT) is expected");
     if (bytes.size() > kMostBytes) throw input_error("too large for a photometric file", where);
     if (const FileKind kind = kind_of_file(bytes, where);
         kind.by_content && kind.name.find("photometric") == std::string::npos)

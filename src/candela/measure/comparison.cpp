@@ -88,7 +88,8 @@ Comparison compare(const Picture& x, const Picture& r, const ComparisonOptions& 
         if (pair.mask.empty() || pair.mask[i] != 0)
             m.flip_max = std::max(m.flip_max, double(out.flip.values[i]));
     if (luminance) {
-        out.hdr_flip = hdr_flip(pair.x, pair.r, options.pixels_per_degree, hdr_flip_exposures(pair.r));
+        out.hdr_flip =
+            hdr_flip(pair.x, pair.r, options.pixels_per_degree, hdr_flip_exposures(pair.r), options.progress);
         m.hdr_flip = mean(out.hdr_flip, pair.mask);
         leave_out(out.hdr_flip, pair.mask);
     }

@@ -21,6 +21,7 @@ struct ComparisonOptions {
     float exposure = 1.0f;  ///< cd/m^2 to exposed values, 1 = saturation (shading/exposure.glsl); > 0
     int tone_curve = 3;     ///< of shading/tone_curves.glsl: how luminance becomes a display picture
     double pixels_per_degree = measure::pixels_per_degree();
+    ProgressFunction progress;  ///< of HDR-FLIP, nearly all of the work on luminance
 };
 
 /// rmse, mae, max and bias are in cd/m^2 for luminance, in code values of [0,1] for display pictures.

@@ -328,13 +328,15 @@ ExposureRange hdr_flip_exposures(const Picture& reference) {
     return range;
 }
 
-ErrorMap hdr_flip(const Picture& x, const Picture& r, double ppd, const ExposureRange& range) {
+ErrorMap hdr_flip(const Picture& x, const Picture& r, double ppd, const ExposureRange& range,
+                  const ProgressFunction& progress) {
     check(x, r, ppd);
     const Filters filters = make_filters(ppd);
     ErrorMap map{r.width, r.height, std::vector<float>(r.pixels.size(), 0.0f)};
     for (int i = 0; i < range.count; ++i) {
         const double stops = range.start + i * (range.stop - range.start) / std::max(range.count - 1, 1);
         accumulate_flip(exposed(x, stops), exposed(r, stops), filters, map);
+        if (progress) progress((i + 1.0) / range.count);
     }
     return map;
 }

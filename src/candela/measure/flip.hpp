@@ -1,6 +1,7 @@
 #pragma once
 
 #include "candela/measure/picture.hpp"
+#include "candela/scene/progress.hpp"
 
 /// FLIP: the difference that a person sees when two pictures alternate in the same place. A map in [0,1].
 ///
@@ -32,7 +33,7 @@ struct ExposureRange {
 /// HDR-FLIP of linear Rec.709 luminance (any scale; negative values count as 0): the largest LDR-FLIP of each
 /// pixel over the range's exposures, tone mapped by Narkowicz's ACES curve.
 [[nodiscard]] ErrorMap hdr_flip(const Picture& x, const Picture& r, double pixels_per_degree,
-                                const ExposureRange& range);
+                                const ExposureRange& range, const ProgressFunction& progress = {});
 
 /// Mean of a map over the pixels that count.
 [[nodiscard]] double mean(const ErrorMap& map, const Mask& mask = {});

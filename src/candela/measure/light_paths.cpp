@@ -64,6 +64,9 @@ std::vector<PathError> split_error(const LightPaths& x, const LightPaths& r) {
     for (PathError& row : out) row.share = sum > 0.0 ? row.mean_absolute_nit / sum : 0.0;
     if (!x.unshadowed_direct.pixels.empty() && !r.unshadowed_direct.pixels.empty())
         out.push_back(compare_path("shadows (in direct)", shadowed(x), shadowed(r)));
+    if (!x.occluded_environment.pixels.empty() && !r.occluded_environment.pixels.empty())
+        out.push_back(compare_path("occlusion (in environment)", luminance_of(x.occluded_environment),
+                                   luminance_of(r.occluded_environment)));
     return out;
 }
 

@@ -17,7 +17,8 @@ struct LightPaths {
     Picture indirect_diffuse;
     Picture indirect_specular;
     Picture emission;
-    Picture unshadowed_direct;  ///< both direct ones, without shadows; empty: unknown
+    Picture unshadowed_direct;     ///< both direct ones, without shadows; empty: unknown
+    Picture occluded_environment;  ///< the environment's light that occlusion takes away; empty: unknown
 };
 
 struct PathError {
@@ -25,12 +26,12 @@ struct PathError {
     double reference_mean_nit = 0.0;  ///< of luminance, over the picture
     double picture_mean_nit = 0.0;
     double mean_absolute_nit = 0.0;  ///< of the difference of luminance
-    double share = 0.0;              ///< of the sum of mean_absolute_nit over the paths; 0 for shadows
+    double share = 0.0;  ///< of the sum of mean_absolute_nit over the paths; 0 for what is taken away
 };
 
-/// A row a path, then, where both sides know it, "shadows": the direct light that they take away, which is in
-/// the direct rows too. Pixels that are not finite are left out. Throws std::invalid_argument when the sizes
-/// differ.
+/// A row a path, then, where both sides know them, "shadows" and "occlusion": the direct and the
+/// environment's light that they take away. Both are in the rows above too. Pixels that are not finite are
+/// left out. Throws std::invalid_argument when the sizes differ.
 [[nodiscard]] std::vector<PathError> split_error(const LightPaths& x, const LightPaths& r);
 
 }  // namespace candela::measure

@@ -43,8 +43,9 @@ std::string verdict(const VerdictInput& input) {
         std::max_element(input.paths.begin(), input.paths.end(),
                          [](const PathError& a, const PathError& b) { return a.share < b.share; });
     if (most != input.paths.end() && most->share > 0.0)
-        out += " Most of the difference is in " + most->path + " light (" +
-               text_of("%.0f", 100.0 * most->share) + " %).";
+        out += (most->share > 0.5 ? " Most of the difference is in "
+                                  : " The largest part of the difference is in ") +
+               most->path + " light (" + text_of("%.0f", 100.0 * most->share) + " %).";
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "candela/scene/environment_sources.hpp"
 #include "shading/language.glsl"
 
 namespace candela::realtime {
@@ -27,18 +28,6 @@ struct Source {
     float nit = 0.0f;
     bool two_sided = false;
 };
-
-float mean_illuminance_lx(const scene::Environment& e) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::uint32_t y = 0; y < e.height; ++y) {
-        const double weight = std::sin(M_PI * (y + 0.5) / e.height);
-        for (std::uint32_t x = 0; x < e.width; ++x)
-            sum += weight * double{shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x])};
-        weights += weight * e.width;
-    }
-    return weights > 0.0 ? static_cast<float>(M_PI * sum / weights) * e.scale : 0.0f;
-}
 
 /// In [0,1), even over any run of indices. By the golden ratio: a fixed stride over a regular mesh would find
 /// the same column of every row.
@@ -169,7 +158,8 @@ std::vector<bool> emitters_that_matter(const scene::Scene& scene, const std::vec
     std::vector<bool> matters(groups.size(), true);
     if (!scene.environment || scene.environment->luminance_nit.empty() || !scene.irradiance_volumes.empty())
         return matters;
-    float left_lx = kCutFraction * mean_illuminance_lx(*scene.environment);
+    const double mean_nit = shading::luminance(scene::mean_nit(*scene.environment));
+    float left_lx = kCutFraction * static_cast<float>(M_PI * mean_nit);
     if (!(left_lx > 0.0f)) return matters;
     const std::vector<Receiver> receivers = receivers_of(scene);
     std::vector<float> lx;

@@ -113,15 +113,15 @@ class Search {
 
     std::vector<EnvironmentSource> run() {
         std::vector<EnvironmentSource> out;
-        const double least_lx = limits_.least_share * total_lx();
+        const double min_lx = limits_.min_fraction * total_lx();
         const double cap_sr =
             2.0 * M_PI * (1.0 - std::cos(limits_.half_angle_rad + sphere_.texel_side_rad()));
-        for (int rejected = 0; rejected < limits_.most_rejected && out.size() < limits_.most;) {
+        for (int rejected = 0; rejected < limits_.max_rejected && out.size() < limits_.max_sources;) {
             const std::optional<std::uint32_t> seed = brightest();
             // What is left cannot give enough, however large it is.
-            if (!seed || double{sphere_.luminance(*seed)} * cap_sr < least_lx) break;
+            if (!seed || double{sphere_.luminance(*seed)} * cap_sr < min_lx) break;
             std::optional<EnvironmentSource> source = grow(*seed);
-            const bool good = source && shading::luminance(source->illuminance_lx) >= least_lx;
+            const bool good = source && shading::luminance(source->illuminance_lx) >= min_lx;
             if (good) {
                 for (const std::uint32_t t : source->texels) taken_[t] = seen_[t] = 1;
                 out.push_back(std::move(*source));
@@ -248,19 +248,19 @@ std::vector<EnvironmentSource> find_sources(const Environment& environment, cons
 }
 
 std::optional<EnvironmentSource> find_sun(const Environment& environment) {
-    constexpr double largest_half_angle = 0.0174533, least_share = 0.2, lowest = -0.035;
+    constexpr double max_half_angle_rad = 0.0174533, min_fraction = 0.2, min_direction_y = -0.035;
     SourceLimits limits;
-    limits.most = 3;
-    limits.most_rejected = 8;
-    limits.least_share = 0.02;
+    limits.max_sources = 3;
+    limits.max_rejected = 8;
+    limits.min_fraction = 0.02;
     const double upward_lx = upward_illuminance_lx(environment);
     for (EnvironmentSource& source : find_sources(environment, limits)) {
         const double four_texels = 4.0 * M_PI / environment.height * 2.0 * M_PI / environment.width;
-        const double largest = std::max(largest_half_angle, std::sqrt(four_texels / M_PI));
+        const double limit_rad = std::max(max_half_angle_rad, std::sqrt(four_texels / M_PI));
         const double lx = shading::luminance(source.illuminance_lx);
         const double rest_lx = std::max(upward_lx - lx * std::max(double{source.direction.y}, 0.0), 0.0);
-        if (double{source.direction.y} > lowest && source.half_angle_rad() <= largest &&
-            lx > least_share * (lx + rest_lx))
+        if (double{source.direction.y} > min_direction_y && source.half_angle_rad() <= limit_rad &&
+            lx > min_fraction * (lx + rest_lx))
             return std::move(source);
     }
     return std::nullopt;

@@ -28,9 +28,9 @@ struct EnvironmentSource {
 struct SourceLimits {
     double contrast = 25.0;
     double half_angle_rad = 0.0872665;  ///< 5 degrees: what is larger is a panel or a window, and stays
-    std::size_t most = 16;
-    int most_rejected = 64;      ///< bright things that are no source, before the search ends
-    double least_share = 0.005;  ///< of the lx at normal incidence from everywhere
+    std::size_t max_sources = 16;
+    int max_rejected = 64;        ///< bright things that are no source, before the search ends
+    double min_fraction = 0.005;  ///< of the lx at normal incidence from everywhere
 };
 
 /// The brightest first, by lx at normal incidence.
@@ -52,6 +52,9 @@ bool split_sun(Scene& scene);
 
 /// Illuminance in lx on a horizontal plane that sees the upper half of the environment.
 [[nodiscard]] double upward_illuminance_lx(const Environment& environment);
+
+/// Mean luminance over all directions, in cd/m^2 per Rec.709 channel.
+[[nodiscard]] glm::dvec3 mean_nit(const Environment& environment);
 
 struct EnvironmentStatistics {
     double upward_lx = 0.0;

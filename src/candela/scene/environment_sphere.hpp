@@ -11,16 +11,17 @@
 /// The texels of an equirectangular picture as patches of the sphere.
 namespace candela::scene::detail {
 
+/// Of a texel of a row. The difference of the cosines as a product, which keeps the digits.
+inline double texel_solid_angle_sr(const Environment& e, std::uint32_t row) {
+    const double top = M_PI * row / e.height, bottom = M_PI * (row + 1.0) / e.height;
+    return 2.0 * M_PI / e.width * 2.0 * std::sin(0.5 * (top + bottom)) * std::sin(0.5 * (bottom - top));
+}
+
 class PictureSphere {
   public:
     explicit PictureSphere(const Environment& e)
         : environment_(e), solid_angles_(e.height), luminances_(e.luminance_nit.size()) {
-        for (std::uint32_t y = 0; y < e.height; ++y) {
-            const double top = M_PI * y / e.height, bottom = M_PI * (y + 1.0) / e.height;
-            // The difference of the cosines as a product, which keeps the digits.
-            solid_angles_[y] =
-                2.0 * M_PI / e.width * 2.0 * std::sin(0.5 * (top + bottom)) * std::sin(0.5 * (bottom - top));
-        }
+        for (std::uint32_t y = 0; y < e.height; ++y) solid_angles_[y] = texel_solid_angle_sr(e, y);
         for (std::size_t i = 0; i < luminances_.size(); ++i)
             luminances_[i] = e.scale * shading::luminance(e.luminance_nit[i]);
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 
 #include "candela/scene/environment_sources.hpp"
 #include "candela/scene/environment_sphere.hpp"
@@ -32,19 +33,59 @@ double illuminance_lx(const Environment& e, bool up) {
     return sum * double{e.scale};
 }
 
-std::vector<double> percentiles_of(const PictureSphere& sphere) {
-    std::vector<std::uint32_t> order(sphere.texels());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return sphere.luminance(a) < sphere.luminance(b); });
-    std::vector<double> out;
-    double below = 0.0;
-    std::size_t i = 0;
-    for (const double percent : kPercentiles) {
-        while (i + 1 < order.size() && below + sphere.solid_angle(order[i]) < percent / 100.0 * 4.0 * M_PI)
-            below += sphere.solid_angle(order[i++]);
-        out.push_back(double{sphere.luminance(order[i])});
+/// Grows with the value, as the bits of a float do but for its sign.
+std::uint32_t sortable(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
+
+/// Quantiles of luminance by solid angle. Only the bucket that one falls into is sorted.
+class Quantiles {
+  public:
+    explicit Quantiles(const PictureSphere& sphere) : sphere_(sphere), buckets_sr_(kBuckets, 0.0) {
+        for (std::uint32_t t = 0; t < sphere.texels(); ++t)
+            buckets_sr_[bucket_of(t)] += sphere.solid_angle(t);
     }
+
+    /// The luminance below which this much of the sphere lies.
+    [[nodiscard]] double at(double below_sr) const {
+        // The last that holds anything where rounding leaves their sum below what is asked for.
+        std::size_t bucket = 0;
+        double sum_sr = 0.0;
+        double before_sr = 0.0;
+        for (std::size_t b = 0; b < kBuckets && sum_sr < below_sr; ++b) {
+            if (!(buckets_sr_[b] > 0.0)) continue;
+            bucket = b;
+            before_sr = sum_sr;
+            sum_sr += buckets_sr_[b];
+        }
+        std::vector<std::uint32_t> texels;
+        for (std::uint32_t t = 0; t < sphere_.texels(); ++t)
+            if (bucket_of(t) == bucket) texels.push_back(t);
+        std::sort(texels.begin(), texels.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return sphere_.luminance(a) < sphere_.luminance(b);
+        });
+        std::size_t i = 0;
+        while (i + 1 < texels.size() && before_sr + sphere_.solid_angle(texels[i]) < below_sr)
+            before_sr += sphere_.solid_angle(texels[i++]);
+        return double{sphere_.luminance(texels.at(i))};
+    }
+
+  private:
+    static constexpr std::size_t kBuckets = std::size_t{1} << 16u;
+
+    [[nodiscard]] std::size_t bucket_of(std::uint32_t texel) const {
+        return sortable(sphere_.luminance(texel)) >> 16u;
+    }
+
+    const PictureSphere& sphere_;
+    std::vector<double> buckets_sr_;
+};
+
+std::vector<double> percentiles_of(const PictureSphere& sphere) {
+    const Quantiles quantiles(sphere);
+    std::vector<double> out;
+    for (const double percent : kPercentiles) out.push_back(quantiles.at(percent / 100.0 * 4.0 * M_PI));
     return out;
 }
 
@@ -77,14 +118,23 @@ double upward_illuminance_lx(const Environment& environment) {
     return illuminance_lx(environment, true);
 }
 
+glm::dvec3 mean_nit(const Environment& e) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t y = 0; y < e.height; ++y) {
+        glm::dvec3 row(0.0);
+        for (std::uint32_t x = 0; x < e.width; ++x)
+            row += glm::dvec3(e.luminance_nit[std::size_t{y} * e.width + x]);
+        sum += row * detail::texel_solid_angle_sr(e, y);
+    }
+    return sum * (double{e.scale} / (4.0 * M_PI));
+}
+
 EnvironmentStatistics statistics_of(const Environment& e) {
     const PictureSphere sphere(e);
     EnvironmentStatistics out;
     out.upward_lx = illuminance_lx(e, true);
     out.downward_lx = illuminance_lx(e, false);
-    for (std::uint32_t t = 0; t < sphere.texels(); ++t)
-        out.mean_nit +=
-            glm::dvec3(e.luminance_nit[t]) * (sphere.solid_angle(t) * double{e.scale} / (4.0 * M_PI));
+    out.mean_nit = mean_nit(e);
     out.mean_luminance_nit = shading::luminance(out.mean_nit);
     out.percentiles_nit = percentiles_of(sphere);
     const auto peak = std::max_element(sphere.luminances().begin(), sphere.luminances().end());

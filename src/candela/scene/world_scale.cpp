@@ -29,21 +29,24 @@ void scale_light(Light& light, float factor) {
     if (!states_luminance && !is_distant(light.type)) light.intensity *= factor * factor;
 }
 
+template <class Region>
+void scale_region(Region& region, float factor) {
+    scale_place(region.world, factor);
+    region.half_size_m *= factor;
+    region.fade_m *= factor;
+}
+
 void scale_volume(IrradianceVolume& volume, float factor) {
-    scale_place(volume.world, factor);
-    volume.half_size_m *= factor;
-    volume.fade_m *= factor;
+    scale_region(volume, factor);
     for (IrradianceProbe& probe : volume.probes) {
         for (glm::vec2& d : probe.distances) d *= glm::vec2(factor, factor * factor);
     }
 }
 
 void scale_probe(ReflectionProbe& probe, float factor) {
-    scale_place(probe.world, factor);
-    probe.half_size_m *= factor;
+    scale_region(probe, factor);
     probe.capture_offset_m *= factor;
     probe.margin_m *= factor;
-    probe.fade_m *= factor;
 }
 
 void scale_camera(Camera& camera, float factor) {

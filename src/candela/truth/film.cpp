@@ -35,6 +35,7 @@ void FilmLayout::add(const PathResult& path, float* pixel) const {
     add3(path.albedo, pixel + albedo);
     add3(path.normal, pixel + normal);
     pixel[distance] += path.distance_m;
+    add3(path.environment, pixel + environment);
 }
 
 Film::Film(std::uint32_t width, std::uint32_t height, const FilmLayout& layout)

@@ -20,8 +20,9 @@ struct FilmLayout {
     static constexpr std::size_t lobes = 8;    ///< 5 x 3: direct and indirect diffuse and specular, emissive
     static constexpr std::size_t albedo = 23;  ///< 3
     static constexpr std::size_t normal = 26;  ///< 3
-    static constexpr std::size_t distance = 29;  ///< 1
-    [[nodiscard]] std::size_t channels() const noexcept { return aovs ? 30 : 8; }
+    static constexpr std::size_t distance = 29;     ///< 1
+    static constexpr std::size_t environment = 30;  ///< 3: straight to the first surface
+    [[nodiscard]] std::size_t channels() const noexcept { return aovs ? 33 : 8; }
     /// Adds one path to the sums of its pixel.
     void add(const PathResult& path, float* pixel) const;
 };

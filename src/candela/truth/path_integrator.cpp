@@ -98,11 +98,13 @@ struct PathIntegrator::Walk {
         return bounces > 0 && below_triangle && hit.part == last_part;
     }
 
-    /// Light that reaches the camera by way of surfaces met so far. `direct`: it left its source towards the
-    /// first.
-    void add(const Throughput& by, const glm::vec3& arriving, bool direct) {
+    /// Light that reaches the camera by way of surfaces met so far; of a light or an emissive surface that it
+    /// left towards the first of them, it is direct.
+    void add(const Throughput& by, const glm::vec3& arriving, bool towards_first, bool environment = false) {
+        const bool direct = towards_first && !environment;
         const glm::vec3 light = by.factor * arriving;
         result.luminance_nit += light;
+        if (towards_first && environment) result.environment += light;
         const glm::vec3 diffuse = light * by.diffuse_share;
         (direct ? result.direct_diffuse : result.indirect_diffuse) += diffuse;
         (direct ? result.direct_specular : result.indirect_specular) += light - diffuse;
@@ -225,7 +227,7 @@ void PathIntegrator::add_light(Walk& walk, const Vertex& vertex, const LightSamp
     if (visible <= 0.0f) return;
     Throughput by = walk.from_surroundings;
     by.pass(diffuse, specular, light.pdf, walk.bounces == 0);
-    walk.add(by, light.light * (share_of_draw * visible), walk.bounces == 0 && !environment);
+    walk.add(by, light.light * (share_of_draw * visible), walk.bounces == 0, environment);
 }
 
 void PathIntegrator::add_lights(Walk& walk, const Vertex& vertex, const PathSampler& sampler) const {
@@ -322,7 +324,7 @@ void PathIntegrator::add_environment(Walk& walk) const {
     }
     walk.add(walk.from_surroundings,
              luminance_nit * weight(Draws::material, walk.last_pdf, environment_.pdf(walk.ray.direction)),
-             false);
+             walk.bounces == 1, true);
 }
 
 /// Goes on in a direction drawn from the material; false when the path ends here.

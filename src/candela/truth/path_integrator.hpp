@@ -43,6 +43,8 @@ struct PathResult {
     glm::vec3 direct_specular{0.0f};
     glm::vec3 indirect_diffuse{0.0f};
     glm::vec3 indirect_specular{0.0f};
+    glm::vec3 environment{
+        0.0f};  ///< of both indirect ones: straight from the environment to the first surface
     glm::vec3 emissive{0.0f};
     glm::vec3 unlit{0.0f};    ///< display-referred colour of a surface without light
     bool sees_unlit = false;  ///< the camera ray ends on such a surface

@@ -70,7 +70,7 @@ function fillPaths(report) {
     const head = element("thead"), body = element("tbody");
     head.append(row("th", [p.name, "here", reference, "error", "share"]));
     for (const r of p.paths) {
-      const share = r.path.startsWith("shadows") ? "" : `${(100 * r.share).toFixed(0)} %`;
+      const share = r.path.includes(" (in ") ? "" : `${(100 * r.share).toFixed(0)} %`;
       body.append(row("td", [r.path, digits(r.picture), digits(r.reference), digits(r.error), share],
                       {title: "Mean luminance here and in the reference, mean absolute difference, its share", "data-path": r.path}));
     }
