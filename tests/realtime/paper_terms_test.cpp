@@ -10,6 +10,7 @@
 #include "shading/lights/representative_point.glsl"
 #include "shading/occlusion.glsl"
 #include "shading/spherical_gaussian_lobe.glsl"
+#include "shading/teaching_page.glsl"
 
 using namespace candela;
 using namespace candela::test;
@@ -253,4 +254,41 @@ TEST(PaperTerms, ACoatIsOccludedByItsOwnRoughness) {
     s.materials[0].occlusion_texture = {};
     const float open = read(s, profile("frostbite"), 75.0f).indirect_specular.x;
     EXPECT_NEAR(over_smooth / open, shading::specular_occlusion(0.2588f, 128.0f / 255.0f, 0.25f), 0.01f);
+}
+
+// The teaching page, section 3, items 2 and 5, word by word; corrected it is Karis 2013.
+TEST(PaperTerms, LessonLiteralIsThePageAndLessonIsKaris) {
+    constexpr float kRoughness = 0.4f;
+    constexpr float kAlpha = kRoughness * kRoughness;
+    const float t = 40.0f * kPi / 180.0f;
+    const glm::vec3 v(-std::sin(t), 0.0f, std::cos(t));
+    const glm::vec3 mirror(std::sin(t), 0.0f, std::cos(t));
+    scene::Light light;
+    light.type = scene::LightType::sphere;
+    light.position = {0.9f, 0.3f, 0.8f};
+    light.radius_m = 0.3f;
+    light.intensity = 1000.0f;
+    light.visible = false;
+    const float distance_m = glm::length(light.position);
+    const glm::vec3 to_light = light.position / distance_m;
+    /// Specular light from l per lx.
+    const auto lobe = [&](const glm::vec3& l) {
+        const glm::vec3 h = glm::normalize(v + l);
+        return shading::D_GGX(kUp, h, kAlpha) *
+               shading::V_TeachingPage(v.z, shading::k_analytic(kRoughness)) *
+               shading::F_SphericalGaussian(glm::vec3(0.8f), glm::dot(l, h)).x;
+    };
+    scene::Scene s = plane(material(1.0f, kRoughness, 0.8f));
+    s.lights = {light};
+    const float lx = 1000.0f * shading::sphere_projected_solid_angle_no_horizon(kUp, light.position, 0.3f);
+    const float sphere =
+        lx * lobe(shading::representative_direction_TeachingPage(to_light, v, mirror, 0.3f / distance_m));
+    EXPECT_NEAR(read(s, profile("lesson-literal"), 40.0f).direct_specular.x, sphere, 0.01f * sphere);
+    const float corrected = read(s, profile("lesson"), 40.0f).direct_specular.x;
+    EXPECT_EQ(corrected, read(s, profile("ue4"), 40.0f).direct_specular.x);
+    EXPECT_GT(std::abs(corrected / sphere - 1.0f), 0.1f);
+    s.lights[0].type = scene::LightType::point;
+    const float point = 1000.0f / (distance_m * distance_m + 1.0e-4f) * to_light.z * lobe(to_light);
+    EXPECT_NEAR(read(s, profile("lesson-literal"), 40.0f).direct_specular.x, point, 0.01f * point);
+    EXPECT_NEAR(read(s, profile("lesson-literal"), 40.0f, true).direct_specular.x, point, 0.01f * point);
 }
