@@ -56,7 +56,7 @@ std::vector<Malformed> ies_files() {
     const std::string good = IesFile().bytes("\n");
     const std::string names_file = "TILT=" + std::string("../../etc/passwd");
     return {
-        {"IesEmpty", "", ":1"},
+        {"IesEmpty", "", "the file is empty"},
         {"IesBinary", std::string("\x7f\x45\x4c\x46\0\0\0\xff\xfe", 9), "not a photometric file"},
         {"IesNoTilt", "IESNA:LM-63-2002\n[TEST] x\n", ":2"},
         {"IesEndsAfterTilt", "IESNA:LM-63-2002\nTILT=NONE\n", ":2"},
@@ -96,7 +96,7 @@ std::vector<Malformed> ies_files() {
 
 std::vector<Malformed> eulumdat_files() {
     return {
-        {"LdtEmpty", "", ":1", "ldt"},
+        {"LdtEmpty", "", "the file is empty", "ldt"},
         {"LdtProse", "To be, or\nnot to be\nthat is\nthe question\n", ":2", "ldt"},
         cut("LdtCutInTheHeader", 20, ":20"),
         cut("LdtCutInTheLamps", 28, ":28"),
