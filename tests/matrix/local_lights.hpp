@@ -27,6 +27,11 @@ inline glm::vec3 towards_light(std::uint32_t row, float off_mirror = 0.1f) {
     return glm::normalize(2.0f * n.z * n - glm::vec3(0, 0, 1) + off_mirror * (aside + 0.8f * n));
 }
 
+inline void turn_aside(scene::Light& light) {
+    light.direction = glm::normalize(light.direction + 0.4f * light.right + 0.2f * light.up());
+    light.right = glm::normalize(light.right - glm::dot(light.right, light.direction) * light.direction);
+}
+
 inline scene::Light local_light(scene::LightType type, const glm::vec3& row, const glm::vec3& towards,
                                 float size) {
     scene::Light light;
@@ -34,6 +39,8 @@ inline scene::Light local_light(scene::LightType type, const glm::vec3& row, con
     light.position = row + kDistance_m * towards;
     light.direction = -towards;
     light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1.0f, 0.2f)));
+    // What gives less aside of its axis is turned, so that the patch sees that it does.
+    if (type == scene::LightType::spot || type == scene::LightType::frustum) turn_aside(light);
     light.color = {1.0f, 0.8f, 0.6f};
     light.range_m = 1.5f;
     light.inner_cone_rad = 0.3f;
@@ -136,6 +143,7 @@ inline Places photometric_lights(const LocalLightOptions& o = {}, Places out = {
     out.scene.profiles.push_back(web());
     add_place(out, o, "IES", [&](const glm::vec3& row, const glm::vec3& towards) {
         scene::Light light = local_light(scene::LightType::point, row, towards, o.size);
+        turn_aside(light);
         light.intensity = 1.0f;
         light.profile = 0;
         out.scene.lights.push_back(light);
