@@ -32,6 +32,8 @@ struct PatchPicture {
 inline constexpr PatchPicture kFramePicture{8, 1};
 /// Few pixels of many samples: the error of Sobol points falls faster with their number than with that of the
 /// pixels, whose sequences are independent.
+/// At most 64 samples of integrate: all pixels of a sample have one offset, and one of those that follow is
+/// so near to a pixel's edge, which is a patch's here, that the rasterizer takes the neighbouring patch.
 inline constexpr PatchPicture kIntegralPicture{2, 0};
 
 /// In steps of the G-buffer, so that all modes have the same material.
