@@ -69,12 +69,31 @@ FN LtcFrame ltc_frame(mat3 inverse_matrix, vec3 n, vec3 v) {
 }
 
 // The lobe in 1/sr, D V cos over its albedo, of a unit direction l.
-FN float ltc_density(mat3 inverse_matrix, vec3 n, vec3 v, vec3 l) {
-    LtcFrame frame = ltc_frame(inverse_matrix, n, v);
+FN float ltc_density(LtcFrame frame, vec3 n, vec3 l) {
     vec3 p = frame.to_cosine * l;
     float length2 = dot(p, p);
     float above = dot(n, l) > 0.0f ? max(p.z, 0.0f) : 0.0f;
     return frame.scale * above * abs(determinant(frame.to_cosine)) / (length2 * length2);
+}
+FN float ltc_density(mat3 inverse_matrix, vec3 n, vec3 v, vec3 l) {
+    return ltc_density(ltc_frame(inverse_matrix, n, v), n, l);
+}
+
+// Factor on the integral over a light, from what the fit misses at its middle. The fit is one of whole lobes: in one direction it is
+// off by up to a factor of ten in the tails and by half near grazing views, which lights smaller than the lobe show.
+// true_density, fitted_density: D V cos over its albedo at the light's middle, in 1/sr; light, mirror: unit directions to
+// it and of the reflected view; NoL: of the former; angular_radius: of a disc with the light's second moments, about rad.
+// It is the quotient of both for a small light and 1 for one as wide as what separates it from the lobe's peak, or as the lobe. Own; the
+// widths by the errors of heitz2016_area_lights.
+FN float ltc_small_light_factor(float true_density, float fitted_density, float alpha, float NoL, vec3 light, vec3 mirror,
+                                float angular_radius) {
+    vec3 off_peak = light - mirror;
+    float lobe_width = alpha / (1.0f + 0.8f * alpha);
+    float width = sqrt(lobe_width * lobe_width + dot(off_peak, off_peak));
+    float exponent = 1.0f - smoothstep(0.0f, 1.1f, angular_radius / width);
+    // The middle of a light that the horizon cuts stands for less of it.
+    exponent *= saturate(NoL / max(angular_radius, 1.0e-6f));
+    return pow(clamp(true_density / max(fitted_density, 1.0e-6f), 0.02f, 50.0f), exponent);
 }
 
 // The outline of what is left of a convex light above the surface's horizon, walked counterclockwise, and its part

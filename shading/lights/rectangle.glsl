@@ -87,11 +87,8 @@ FN float rectangle_projected_solid_angle_arvo(vec3 n, vec3 to_center_m, vec3 rig
 // 2013) computes from the angles of the corners.
 FN float rectangle_solid_angle(vec3 to_center_m, vec3 right, vec3 up, float half_width_m, float half_height_m) {
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
-    vec3 d0 = direction_of(c.p0);
-    vec3 d2 = direction_of(c.p2);
-    return max(triangle_signed_solid_angle(d0, direction_of(c.p1), d2) +
-                   triangle_signed_solid_angle(d0, d2, direction_of(c.p3)),
-               0.0f);
+    float volume_m3 = 4.0f * half_width_m * half_height_m * max(dot(cross(right, up), to_center_m), 0.0f);
+    return parallelogram_solid_angle(volume_m3, c.p0, c.p1, c.p2, c.p3);
 }
 
 // What of the edge from a to b lies above the horizon, as the solid angle of its triangle with the normal.
@@ -114,6 +111,8 @@ FN float solid_angle_edge_above(vec3 n, vec3 a, vec3 b, INOUT(vec3) leaves, INOU
 FN float rectangle_solid_angle_above_horizon(vec3 n, vec3 to_center_m, vec3 right, vec3 up, float half_width_m,
                                              float half_height_m) {
     RectangleCorners c = rectangle_corners(to_center_m, right, up, half_width_m, half_height_m);
+    if (min(min(dot(n, c.p0), dot(n, c.p1)), min(dot(n, c.p2), dot(n, c.p3))) >= 0.0f)
+        return rectangle_solid_angle(to_center_m, right, up, half_width_m, half_height_m);
     vec3 leaves = vec3(0.0f);
     vec3 returns = vec3(0.0f);
     float sum = solid_angle_edge_above(n, c.p0, c.p1, leaves, returns);

@@ -31,11 +31,9 @@ FN SeenRectangle see_rectangle(vec3 to_center_m, vec3 right, vec3 up, float half
     r.height = -dot(to_center_m, cross(up, right));
     r.solid_angle = 0.0f;
     if (!(r.height > 0.0f)) return r;
-    vec3 a = normalize(vec3(r.x0, r.y0, r.height));
-    vec3 b = normalize(vec3(r.x1, r.y0, r.height));
-    vec3 c = normalize(vec3(r.x1, r.y1, r.height));
-    vec3 d = normalize(vec3(r.x0, r.y1, r.height));
-    r.solid_angle = triangle_solid_angle(a, b, c) + triangle_solid_angle(a, c, d);
+    r.solid_angle = parallelogram_solid_angle(4.0f * half_width_m * half_height_m * r.height,
+                                              vec3(r.x0, r.y0, r.height), vec3(r.x1, r.y0, r.height),
+                                              vec3(r.x1, r.y1, r.height), vec3(r.x0, r.y1, r.height));
     return r;
 }
 

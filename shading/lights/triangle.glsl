@@ -8,10 +8,29 @@ CANDELA_SHADING_BEGIN
 
 // Solid angle in sr, in [-2 pi, 2 pi], of the triangle of unit directions a, b, c; positive when they turn counterclockwise
 // as seen from within: Van Oosterom & Strackee 1983, equation 8.
+// The volume from differences of the corners: that of the directions themselves has no digits where the triangle is small.
 FN float triangle_signed_solid_angle(vec3 a, vec3 b, vec3 c) {
-    float volume = dot(a, cross(b, c));
+    float volume = dot(a, cross(b - a, c - a));
     float sum = 1.0f + dot(a, b) + dot(b, c) + dot(c, a);
     return 2.0f * atan(volume, sum);
+}
+
+// Of corners in m from the receiver, whose volume a . ((b - a) x (c - a)) in m^3 is known: with all digits at any size.
+FN float triangle_solid_angle_of_volume(float volume_m3, vec3 a, vec3 b, vec3 c) {
+    float inverse_a = inversesqrt(max(dot(a, a), 1.0e-37f));
+    float inverse_b = inversesqrt(max(dot(b, b), 1.0e-37f));
+    float inverse_c = inversesqrt(max(dot(c, c), 1.0e-37f));
+    vec3 to_a = a * inverse_a;
+    vec3 to_b = b * inverse_b;
+    vec3 to_c = c * inverse_c;
+    float sum = 1.0f + dot(to_a, to_b) + dot(to_b, to_c) + dot(to_c, to_a);
+    return 2.0f * atan(volume_m3 * inverse_a * inverse_b * inverse_c, sum);
+}
+
+// A parallelogram of corners in m from the receiver, counterclockwise as it sees them. volume_m3 >= 0: its area times the receiver's
+// height over its plane, which is the volume of either half.
+FN float parallelogram_solid_angle(float volume_m3, vec3 p0, vec3 p1, vec3 p2, vec3 p3) {
+    return triangle_solid_angle_of_volume(volume_m3, p0, p1, p2) + triangle_solid_angle_of_volume(volume_m3, p0, p2, p3);
 }
 
 // The same in [0, 2 pi], whatever the winding.

@@ -3,6 +3,7 @@
 #include "candela/measure/area_configurations.hpp"
 #include "shading/lights/isotropic_line.glsl"
 #include "shading/lights/punctual.glsl"
+#include "shading/lights/rectangle_sampling.glsl"
 #include "shading/lights/tube.glsl"
 
 /// Where area lights are known to go wrong: at the horizon, on the surface, behind themselves, and at sizes
@@ -59,6 +60,42 @@ TEST(Limits, ATubeOfNoLengthIsASphere) {
         EXPECT_NEAR(tube_projected_solid_angle(n, c, axis, 0.0f, 0.5f), sphere, 1e-5f);
         EXPECT_NEAR(tube_projected_solid_angle(n, c, axis, 1.0e-4f, 0.5f), sphere, 2e-3f);
         EXPECT_NEAR(tube_projected_solid_angle(n, 3000.0f * c, axis, 0.0f, 0.5f), 0.0f, 1e-6f);
+    }
+}
+
+// In single precision, where products of directions have no digits of a small light left.
+TEST(Limits, SmallRectanglesAreTheirAreaAtTheirDistanceByEveryTechnique) {
+    RandomNumbers u;
+    for (int i = 0; i < 300; ++i) {
+        const vec3 n(u.direction());
+        const vec3 right(u.direction());
+        const vec3 up(u.perpendicular(glm::dvec3(right)));
+        vec3 c(u.direction() * u(0.5, 3.0));
+        const vec3 away = glm::cross(right, up);
+        if (dot(c, away) < 0.0f) c = -c;
+        const float distance2 = dot(c, c);
+        const float cosine_at_light = dot(c, away) / std::sqrt(distance2);
+        const float cosine = dot(n, c) / std::sqrt(distance2);
+        if (cosine < 0.05f || cosine_at_light < 0.05f) continue;
+        for (const float size : {1.0e-4f, 1.0e-5f, 1.0e-6f}) {
+            const float w = 0.7f * size;
+            const float h = 0.2f * size;
+            const float solid_angle = 4.0f * w * h * cosine_at_light / distance2;
+            const float projected = cosine * solid_angle;
+            EXPECT_NEAR(rectangle_solid_angle(c, right, up, w, h), solid_angle, 0.005f * solid_angle) << size;
+            EXPECT_NEAR(rectangle_solid_angle_above_horizon(n, c, right, up, w, h), solid_angle,
+                        0.005f * solid_angle)
+                << size;
+            EXPECT_NEAR(see_rectangle(c, right, up, w, h).solid_angle, solid_angle, 0.005f * solid_angle)
+                << size;
+            for (const auto technique :
+                 {rectangle_projected_solid_angle, rectangle_projected_solid_angle_structured,
+                  rectangle_projected_solid_angle_drobot, rectangle_projected_solid_angle_drobot_horizon,
+                  rectangle_projected_solid_angle_simplified,
+                  rectangle_projected_solid_angle_simplified_horizon,
+                  rectangle_projected_solid_angle_position, rectangle_projected_solid_angle_five_times})
+                EXPECT_NEAR(technique(n, c, right, up, w, h), projected, 0.005f * projected) << size;
+        }
     }
 }
 

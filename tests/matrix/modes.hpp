@@ -26,20 +26,22 @@ inline const gpu::Device& shared_device() {
     return device;
 }
 
-/// Patch means at each place, by the frame or, with `samples` of integrals, by integrate.
+/// Patch means at each place, by the frame or, with `samples` of integrals, by integrate. Nothing occludes.
 inline std::vector<PatchMeans> rendered(const scene::Scene& s, const std::vector<glm::vec3>& places,
                                         const realtime::Profile& profile, std::uint32_t samples = 0) {
+    const PatchPicture picture = samples > 0 ? kIntegralPicture : kFramePicture;
     realtime::RendererOptions o;
-    o.width = o.height = kPatchPicture;
+    o.width = o.height = picture.side();
     o.samples = samples > 0 ? samples : 4;
     o.profile = profile;
-    if (samples > 0) o.integrate.emplace();
+    o.shadows.maps = false;
+    if (samples > 0) o.integrate.emplace().draws = 16;
     std::vector<PatchMeans> out;
     realtime::Renderer renderer(shared_device(), s, o);
     for (const glm::vec3& place : places) {
         const realtime::Still still = renderer.render_still(patch_camera(place), fixed_ev(10.0f));
-        out.push_back(patch_means([&](std::uint32_t x, std::uint32_t y) {
-            return glm::vec3(still.planes.light_nit[std::size_t{y} * kPatchPicture + x]);
+        out.push_back(patch_means(picture, [&](std::uint32_t x, std::uint32_t y) {
+            return glm::vec3(still.planes.light_nit[std::size_t{y} * picture.side() + x]);
         }));
     }
     EXPECT_TRUE(shared_device().validation_messages().empty())
@@ -55,36 +57,43 @@ inline std::vector<PatchMeans> traced(const scene::Scene& s, const std::vector<g
     o.direct_only = true;
     o.shadows = false;
     const truth::PathIntegrator integrator(s, o);
+    const std::uint32_t side = kIntegralPicture.side();
     std::vector<PatchMeans> out;
     for (const glm::vec3& place : places) {
-        const truth::CameraRays rays(patch_camera(place), kPatchPicture, kPatchPicture);
-        std::vector<glm::dvec3> nit(std::size_t{kPatchPicture} * kPatchPicture, glm::dvec3(0.0));
-        tbb::parallel_for(0u, kPatchPicture, [&](std::uint32_t y) {
-            for (std::uint32_t x = 0; x < kPatchPicture; ++x) {
+        const truth::CameraRays rays(patch_camera(place), side, side);
+        std::vector<glm::dvec3> nit(std::size_t{side} * side, glm::dvec3(0.0));
+        tbb::parallel_for(0u, side, [&](std::uint32_t y) {
+            for (std::uint32_t x = 0; x < side; ++x) {
                 for (std::uint32_t i = 0; i < samples; ++i) {
                     const truth::PathSampler sampler({x, y}, i, 7);
                     const truth::Ray ray = rays.through(glm::vec2(x, y) + sampler.pixel(), glm::vec2(0.5f));
-                    nit[std::size_t{y} * kPatchPicture + x] +=
+                    nit[std::size_t{y} * side + x] +=
                         glm::dvec3(integrator.trace(ray, sampler).luminance_nit);
                 }
             }
         });
-        out.push_back(patch_means([&](std::uint32_t x, std::uint32_t y) {
-            return nit[std::size_t{y} * kPatchPicture + x] / double(samples);
+        out.push_back(patch_means(kIntegralPicture, [&](std::uint32_t x, std::uint32_t y) {
+            return nit[std::size_t{y} * side + x] / double(samples);
         }));
     }
     return out;
 }
 
-/// Mean over the angles of |a / b - 1|, of one column of the grid.
-inline double relative_difference(const PatchMeans& a, const PatchMeans& b, std::size_t column) {
-    double difference = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = column; i < b.size(); i += kPatchesSide) {
-        difference += std::abs(a[i] / b[i] - 1.0);
-        sum += 1.0;
+/// a / b - 1 at each angle, of one column of the grid.
+inline std::array<double, kPatchesSide> relative_differences(const PatchMeans& a, const PatchMeans& b,
+                                                             std::size_t column) {
+    std::array<double, kPatchesSide> out{};
+    for (std::size_t row = 0; row < kPatchesSide; ++row) {
+        const std::size_t i = row * kPatchesSide + column;
+        out[row] = a[i] / b[i] - 1.0;
     }
-    return difference / sum;
+    return out;
+}
+
+inline double mean_magnitude(const std::array<double, kPatchesSide>& differences) {
+    double sum = 0.0;
+    for (const double d : differences) sum += std::abs(d);
+    return sum / double(kPatchesSide);
 }
 
 }  // namespace candela::test

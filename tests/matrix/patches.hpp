@@ -15,11 +15,26 @@ namespace candela::test {
 /// in depth, so that each may have a light of its own.
 inline constexpr std::array<float, 4> kPatchNoV{0.95f, 0.6f, 0.35f, 0.2f};
 inline constexpr std::array<const char*, 4> kPatchMaterials{"first metal", "metal", "dielectric", "layered"};
-inline constexpr float kRowDepth_m = 30.0f;
-inline constexpr float kPatch_m = 0.05f;
-inline constexpr std::uint32_t kPatchPixels = 8;
+inline constexpr float kRowDepth_m = 3.0f;
+/// Small, so that all of it sees a light at one angle, and a power of two, so that its edges are exact.
+inline constexpr float kPatch_m = 1.0f / 256.0f;
 inline constexpr std::uint32_t kPatchesSide = 4;
-inline constexpr std::uint32_t kPatchPicture = kPatchPixels * kPatchesSide;
+
+/// Pixels a side of each patch, and how many of them next to its border do not count.
+struct PatchPicture {
+    std::uint32_t pixels = 8;
+    std::uint32_t border = 1;
+
+    [[nodiscard]] std::uint32_t side() const { return pixels * kPatchesSide; }
+};
+
+/// The frame's techniques may read neighbouring pixels.
+inline constexpr PatchPicture kFramePicture{8, 1};
+/// Few pixels of many samples: the error of Sobol points falls faster with their number than with that of the
+/// pixels, whose sequences are independent.
+/// At most 64 samples of integrate: all pixels of a sample have one offset, and one of those that follow is
+/// so near to a pixel's edge, which is a patch's here, that the rasterizer takes the neighbouring patch.
+inline constexpr PatchPicture kIntegralPicture{2, 0};
 
 /// In steps of the G-buffer, so that all modes have the same material.
 inline std::vector<scene::Material> patch_materials(float first_roughness) {
@@ -46,17 +61,17 @@ inline glm::vec3 patch_normal(std::uint32_t row, float towards_rad) {
 }
 
 /// From the middle of a place to that of one of its rows.
-inline glm::vec3 row_middle(std::uint32_t row) {
+inline glm::vec3 row_middle(std::uint32_t row, float row_depth_m = kRowDepth_m) {
     return {0.0f, kPatch_m * (0.5f * kPatchesSide - 0.5f - static_cast<float>(row)),
-            -kRowDepth_m * static_cast<float>(row)};
+            row_depth_m * (0.5f * kPatchesSide - 0.5f - static_cast<float>(row))};
 }
 
 /// One patch: what projects to its cell of the picture, tilted towards azimuth `towards_rad`.
-inline scene::Primitive patch(std::uint32_t column, std::uint32_t row, float towards_rad) {
+inline scene::Primitive patch(std::uint32_t column, std::uint32_t row, float towards_rad, float row_depth_m) {
     const glm::vec3 n = patch_normal(row, towards_rad);
     const float half = 0.5f * kPatch_m;
     const glm::vec3 at =
-        row_middle(row) +
+        row_middle(row, row_depth_m) +
         glm::vec3(kPatch_m * (static_cast<float>(column) + 0.5f - 0.5f * kPatchesSide), 0.0f, 0.0f);
     scene::Primitive p;
     for (const auto& [x, y] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {
@@ -72,12 +87,13 @@ inline scene::Primitive patch(std::uint32_t column, std::uint32_t row, float tow
 }
 
 /// All patches about `middle`.
-inline void add_patches(scene::Scene& s, const glm::vec3& middle, float towards_rad, float first_roughness) {
-    if (s.materials.empty()) s.materials = patch_materials(first_roughness);
+inline void add_patches(scene::Scene& s, const glm::vec3& middle, float towards_rad,
+                        const std::vector<scene::Material>& materials, float row_depth_m = kRowDepth_m) {
+    if (s.materials.empty()) s.materials = materials;
     scene::Mesh mesh{"patches", {}};
     for (std::uint32_t row = 0; row < kPatchesSide; ++row) {
         for (std::uint32_t column = 0; column < kPatchesSide; ++column) {
-            mesh.primitives.push_back(patch(column, row, towards_rad));
+            mesh.primitives.push_back(patch(column, row, towards_rad, row_depth_m));
         }
     }
     s.meshes.push_back(std::move(mesh));
@@ -90,24 +106,26 @@ inline scene::Camera patch_camera(const glm::vec3& middle) {
     camera.projection = scene::Projection::orthographic;
     camera.xmag_m = camera.ymag_m = 0.5f * kPatch_m * kPatchesSide;
     camera.znear_m = 1.0f;
-    camera.zfar_m = 20.0f + kRowDepth_m * kPatchesSide;
+    camera.zfar_m = 20.0f;
     return camera;
 }
 
-/// Mean over the channels of each patch, row by row, without its outermost pixels.
+/// Mean over the channels of each patch, row by row.
 template <class PixelNit>
-std::vector<double> patch_means(PixelNit&& nit) {
+std::vector<double> patch_means(const PatchPicture& picture, PixelNit&& nit) {
     std::vector<double> out;
+    const std::uint32_t end = picture.pixels - picture.border;
     for (std::uint32_t row = 0; row < kPatchesSide; ++row) {
         for (std::uint32_t column = 0; column < kPatchesSide; ++column) {
             double sum = 0.0;
-            for (std::uint32_t y = 1; y + 1 < kPatchPixels; ++y) {
-                for (std::uint32_t x = 1; x + 1 < kPatchPixels; ++x) {
-                    const glm::dvec3 c(nit(column * kPatchPixels + x, row * kPatchPixels + y));
+            for (std::uint32_t y = picture.border; y < end; ++y) {
+                for (std::uint32_t x = picture.border; x < end; ++x) {
+                    const glm::dvec3 c(nit(column * picture.pixels + x, row * picture.pixels + y));
                     sum += (c.x + c.y + c.z) / 3.0;
                 }
             }
-            out.push_back(sum / ((kPatchPixels - 2.0) * (kPatchPixels - 2.0)));
+            const double side = end - picture.border;
+            out.push_back(sum / (side * side));
         }
     }
     return out;

@@ -38,6 +38,28 @@ double ltc(const ShapedLight& light, const SpecularView& view) {
     }
 }
 
+/// As realtime/shaders/area_highlights.glsl has it: of a disc with equal second moments.
+float spreading_radius(const ShapedLight& light) {
+    switch (light.shape) {
+        case LightShape::rectangle:
+            return std::sqrt((square(light.half_width) + square(light.half_height)) * (2.0f / 3.0f));
+        case LightShape::tube:
+            return std::sqrt(square(light.half_width) * (2.0f / 3.0f) + square(light.radius));
+        default:
+            return light.radius;
+    }
+}
+
+double corrected_ltc(const ShapedLight& light, const SpecularView& view) {
+    const mat3 m = ltc_inverse_matrix(bake::ltc_table().read(view.v.z, std::sqrt(view.alpha)));
+    const float distance_m = length(light.center);
+    const vec3 l = light.center / distance_m;
+    const float lobe = specular_at_point(kNormal, view.v, l, view.alpha, view.alpha) * l.z / view.albedo;
+    return ltc(light, view) *
+           double(ltc_small_light_factor(lobe, ltc_density(m, kNormal, view.v, l), view.alpha, l.z, l,
+                                         mirror_of(view), spreading_radius(light) / distance_m));
+}
+
 /// lx per cd/m^2, exact: the error is then the highlight's alone.
 float illuminance(const ShapedLight& light) {
     switch (light.shape) {
@@ -153,6 +175,8 @@ std::vector<SpecularTechnique> specular_techniques(LightShape shape) {
     if (shape == LightShape::tube)
         out.push_back({"representative_share_of_line_by_angle", "smallest angle", "Karis 2013, equation 18",
                        tube_by_angle});
+    out.push_back({"ltc_" + name + " times ltc_small_light_factor", "transformed cosine, corrected",
+                   "own: the lobe over the fit at the light's middle", corrected_ltc});
     return out;
 }
 

@@ -24,7 +24,7 @@ struct SpecularTechnique {
 };
 
 /// Those of a shape; linearly transformed cosines first, then Karis's representative point with its
-/// normalization, which is what they are compared with.
+/// normalization, which is what they are compared with; last the transformed cosines as the frame has them.
 [[nodiscard]] std::vector<SpecularTechnique> specular_techniques(LightShape shape);
 
 [[nodiscard]] std::string name_of(LightShape shape);

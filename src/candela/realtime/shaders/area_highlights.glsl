@@ -2,8 +2,7 @@
 #ifndef CANDELA_AREA_HIGHLIGHTS_GLSL
 #define CANDELA_AREA_HIGHLIGHTS_GLSL
 
-vec3 area_ltc(uint group, Light light, mat3 m, vec3 n, vec3 v, AreaLight a) {
-    LtcFrame lobe = ltc_frame(m, n, v);
+vec3 area_ltc(uint group, Light light, LtcFrame lobe, AreaLight a) {
     if (group == kPolygons) {
         vec3 p0 = lobe.to_cosine * a.outline[0];
         vec3 p1 = lobe.to_cosine * a.outline[1];
@@ -72,7 +71,10 @@ float spreading_radius(uint group, int kind, AreaLight a) {
         return sqrt((dot(p, p) + dot(q, q) + dot(r, r)) * (1.0 / 6.0));
     }
     if (group == kPolygons) return sqrt((square(a.half_width_m) + square(a.half_height_m)) * (2.0 / 3.0));
-    if (group == kCapsules) return sqrt(square(a.half_width_m) * (2.0 / 3.0) + square(a.radius_m));
+    if (group == kCapsules) {
+        float radius_m = is_kind(kind, kLightLine) ? 0.0 : a.radius_m;
+        return sqrt(square(a.half_width_m) * (2.0 / 3.0) + square(radius_m));
+    }
     return a.radius_m;
 }
 
@@ -110,6 +112,18 @@ float area_highlight_lobe(uint group, int kind, AreaLight a, AreaLobe lobe, vec3
     return normalization * specular_lobe(techniques(), n, v, l, lobe.perceptual_roughness, alpha, lobe_alpha);
 }
 
+// ltc_small_light_factor() with Fresnel in both lobes.
+float fit_correction(uint group, int kind, AreaLight a, AreaLobe lobe, LtcFrame fit, vec3 v) {
+    float distance_m = length(a.to_center_m);
+    vec3 l = a.to_center_m / max(distance_m, 1.0e-20);
+    float NoL = dot(lobe.n, l);
+    float lobe_at_l = NoL * specular_lobe(techniques(), lobe.n, v, l, lobe.perceptual_roughness, lobe.alpha, lobe.alpha);
+    vec3 fresnel = specular_fresnel(techniques(), lobe.f0, lobe.f90, saturate(dot(l, normalize(v + l))));
+    float albedo = max(dot(lobe.albedo, vec3(1.0)), 1.0e-6);
+    return ltc_small_light_factor(dot(fresnel, vec3(lobe_at_l)) / albedo, ltc_density(fit, lobe.n, l), lobe.alpha, NoL, l,
+                                  reflect(-v, lobe.n), spreading_radius(group, kind, a) / max(distance_m, 1.0e-20));
+}
+
 vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe lobe, AreaLight a, float lx) {
     vec3 sum = vec3(0.0);
     // Of luminance 1 the disc gives pi sin^2 of its angular radius in lx on a plane that faces it.
@@ -119,7 +133,8 @@ vec3 area_highlight(uint group, int kind, Light light, SurfacePoint p, AreaLobe 
         as_point = point_share(group, kind, a, lobe.alpha);
         // The lobe's albedo with Fresnel is in the table of the split sum (Hill & Heitz 2016, "LTC Fresnel Approximation", in
         // other words).
-        sum = lobe.albedo * area_ltc(group, light, lobe.ltc, lobe.n, p.v, a);
+        LtcFrame fit = ltc_frame(lobe.ltc, lobe.n, p.v);
+        sum = lobe.albedo * area_ltc(group, light, fit, a) * fit_correction(group, kind, a, lobe, fit, p.v);
         if (as_point <= 0.0) return sum;
     }
     vec3 l;
