@@ -60,6 +60,16 @@ FN float average_normal_texel(float average_length) {
     return 1.0f - sqrt(saturate(1.0f - average_length));
 }
 
+// Length of the average normal behind a filtered read of several texels of levels, from what the levels lost (stored_length) and
+// from the length of the sum of their unit vectors, which is what this read lost: anisotropic reads average texels of a fine level.
+// Not where the map is magnified: what is interpolated there is a surface of its own. texels_per_pixel: along the pixel's longer
+// side. kNormalTexelError: what rounding to 8 bits may take from a length.
+CONSTANT float kNormalTexelError = 0.007f;
+FN float filtered_normal_length(float stored_length, float filtered_length, float texels_per_pixel) {
+    float minified = saturate(log2(max(texels_per_pixel, 1.0e-6f)));
+    return stored_length * mix(1.0f, min(filtered_length + kNormalTexelError, 1.0f), minified);
+}
+
 // Perceptual roughness under a normal map: average_length and normal_z of the map itself, before `scale`. filter_technique: one
 // of kNormalMapFilter*.
 FN float perceptual_roughness_under_map(float perceptual_roughness, float average_length, float normal_z, float scale,

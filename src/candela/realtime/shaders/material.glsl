@@ -12,18 +12,24 @@ layout(constant_id = 28) const int kNormalMapFilter = 0;
 layout(location = 0) in vec3 in_normal;
 layout(location = 1) in vec4 in_tangent;
 
-// A texel of a normal map: its unit normal before and after the scale, and the length of the average that mip-mapping made it
-// from (C++: mip_chain), which says how much roughness was lost (Frostbite 5.3).
+// A read of a normal map: its unit normal before and after the scale, and the length of the average that filtering made it
+// from, in the levels (C++: mip_chain) and in this read, which says how much roughness was lost (Frostbite 5.3).
 struct MappedNormal {
     vec3 scaled;
     float z;
     float average_length;
 };
-MappedNormal mapped_normal(vec4 texel, float scale) {
+MappedNormal mapped_normal(sampler2D map, vec2 uv, float scale) {
+    vec4 texel = texture(map, uv);
     vec3 n = texel.xyz * 2.0 - 1.0;
     vec3 scaled = vec3(n.xy * scale, n.z);
-    return MappedNormal(scaled * inversesqrt(max(dot(scaled, scaled), 1e-12)),
-                        n.z * inversesqrt(max(dot(n, n), 1e-12)), average_normal_length(texel.a));
+    float n_length = sqrt(max(dot(n, n), 1e-12));
+    vec2 texels = vec2(textureSize(map, 0));
+    float texels_per_pixel = max(length(dFdx(uv) * texels), length(dFdy(uv) * texels));
+    // Integrals read the file's texels alone, and have the spread from their samples.
+    if (textureQueryLevels(map) == 1) texels_per_pixel = 0.0;
+    return MappedNormal(scaled * inversesqrt(max(dot(scaled, scaled), 1e-12)), n.z / n_length,
+                        filtered_normal_length(average_normal_length(texel.a), n_length, texels_per_pixel));
 }
 
 // The material at this fragment. `facing` is +1 on front faces; derivatives must be defined here.
@@ -37,7 +43,7 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
     g.surface_normal = vertex_normal;
     MappedNormal mapped = MappedNormal(vec3(0.0, 0.0, 1.0), 1.0, 1.0);
     if (has(kNormalTexture)) {
-        mapped = mapped_normal(texture(normal_map, slot_uv(2)), material.metallic_roughness.z);
+        mapped = mapped_normal(normal_map, slot_uv(2), material.metallic_roughness.z);
         vec3 t = mapped.scaled;
         g.normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
     }
@@ -99,7 +105,7 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
         }
         if (has(kClearcoatNormalTexture)) {
             float scale = material.clearcoat_anisotropy.z;
-            MappedNormal coat = mapped_normal(texture(clearcoat_normal_map, slot_uv(9)), scale);
+            MappedNormal coat = mapped_normal(clearcoat_normal_map, slot_uv(9), scale);
             vec3 t = coat.scaled;
             g.coat_normal = normalize(t.x * tangent + t.y * bitangent + t.z * vertex_normal);
             s.coat_perceptual_roughness =
