@@ -79,6 +79,15 @@ FN float ltc_density(mat3 inverse_matrix, vec3 n, vec3 v, vec3 l) {
     return ltc_density(ltc_frame(inverse_matrix, n, v), n, l);
 }
 
+// Radius in m of the disc with the second moments of a rectangle, and of a cylinder (half_length_m without its ends), that a lobe
+// sees in place of it. Own.
+FN float rectangle_spreading_radius(float half_width_m, float half_height_m) {
+    return sqrt((half_width_m * half_width_m + half_height_m * half_height_m) * (2.0f / 3.0f));
+}
+FN float tube_spreading_radius(float half_length_m, float radius_m) {
+    return sqrt(half_length_m * half_length_m * (2.0f / 3.0f) + radius_m * radius_m);
+}
+
 // Factor on the integral over a light, from what the fit misses at its middle. The fit is one of whole lobes: in one direction it is
 // off by up to a factor of ten in the tails and by half near grazing views, which lights smaller than the lobe show.
 // true_density, fitted_density: D V cos over its albedo at the light's middle, in 1/sr; light, mirror: unit directions to

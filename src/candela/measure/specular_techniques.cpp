@@ -38,13 +38,12 @@ double ltc(const ShapedLight& light, const SpecularView& view) {
     }
 }
 
-/// As realtime/shaders/area_highlights.glsl has it: of a disc with equal second moments.
 float spreading_radius(const ShapedLight& light) {
     switch (light.shape) {
         case LightShape::rectangle:
-            return std::sqrt((square(light.half_width) + square(light.half_height)) * (2.0f / 3.0f));
+            return rectangle_spreading_radius(light.half_width, light.half_height);
         case LightShape::tube:
-            return std::sqrt(square(light.half_width) * (2.0f / 3.0f) + square(light.radius));
+            return tube_spreading_radius(light.half_width, light.radius);
         default:
             return light.radius;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "candela/scene/environment_sources.hpp"
 #include "shading/exposure.glsl"
 #include "shading/language.glsl"
 #include "shading/lights/sampling.glsl"
@@ -72,19 +73,8 @@ float typical_illuminance_lx(const scene::Scene& scene, const scene::Aabb& bound
     for (const scene::Light& light : scene.lights)
         illuminance_lx += illuminance_lx_of(light, center, reach_m);
     if (!scene.environment || scene.environment->luminance_nit.empty()) return illuminance_lx;
-    const scene::Environment& e = *scene.environment;
-    double sum = 0.0;
-    double solid_angles = 0.0;
-    for (std::uint32_t y = 0; y < e.height; ++y) {
-        // Rows of an equirectangular picture shrink towards the poles.
-        const double sine = std::sin(double(shading::PI) * (y + 0.5) / e.height);
-        solid_angles += sine * e.width;
-        for (std::uint32_t x = 0; x < e.width; ++x) {
-            const float nit = shading::luminance(e.luminance_nit[std::size_t{y} * e.width + x]);
-            if (nit > 0.0f) sum += sine * double(nit);  // not NaN
-        }
-    }
-    return illuminance_lx + shading::PI * e.scale * static_cast<float>(sum / solid_angles);
+    const double mean_nit = shading::luminance(scene::mean_nit(*scene.environment));
+    return illuminance_lx + shading::PI * static_cast<float>(std::max(mean_nit, 0.0));
 }
 
 LightEstimate estimate_light(const scene::Scene& scene) {

@@ -131,7 +131,7 @@ struct FrameResources {
     [[nodiscard]] std::uint32_t tile_count() const noexcept { return tiles_x * tiles_y; }
 };
 
-/// Specialization constants 0...26 of material.glsl, shade.glsl and lighting.comp.glsl.
+/// Specialization constants 0...28 of material.glsl, shade.glsl, lights.glsl and others.
 struct ShadeVariant {
     std::uint32_t features = 0;
     ShadingClass shading_class = ShadingClass::standard;

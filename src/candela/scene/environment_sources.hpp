@@ -53,7 +53,7 @@ bool split_sun(Scene& scene);
 /// Illuminance in lx on a horizontal plane that sees the upper half of the environment.
 [[nodiscard]] double upward_illuminance_lx(const Environment& environment);
 
-/// Mean luminance over all directions, in cd/m^2 per Rec.709 channel.
+/// Mean luminance over all directions, in cd/m^2 per Rec.709 channel. Texels that are not finite count as 0.
 [[nodiscard]] glm::dvec3 mean_nit(const Environment& environment);
 
 struct EnvironmentStatistics {

@@ -122,8 +122,10 @@ glm::dvec3 mean_nit(const Environment& e) {
     glm::dvec3 sum(0.0);
     for (std::uint32_t y = 0; y < e.height; ++y) {
         glm::dvec3 row(0.0);
-        for (std::uint32_t x = 0; x < e.width; ++x)
-            row += glm::dvec3(e.luminance_nit[std::size_t{y} * e.width + x]);
+        for (std::uint32_t x = 0; x < e.width; ++x) {
+            const glm::dvec3 nit(e.luminance_nit[std::size_t{y} * e.width + x]);
+            if (std::isfinite(nit.x + nit.y + nit.z)) row += nit;
+        }
         sum += row * detail::texel_solid_angle_sr(e, y);
     }
     return sum * (double{e.scale} / (4.0 * M_PI));

@@ -70,10 +70,10 @@ float spreading_radius(uint group, int kind, AreaLight a) {
         vec3 r = a.outline[2] - a.to_center_m;
         return sqrt((dot(p, p) + dot(q, q) + dot(r, r)) * (1.0 / 6.0));
     }
-    if (group == kPolygons) return sqrt((square(a.half_width_m) + square(a.half_height_m)) * (2.0 / 3.0));
+    if (group == kPolygons) return rectangle_spreading_radius(a.half_width_m, a.half_height_m);
     if (group == kCapsules) {
         float radius_m = is_kind(kind, kLightLine) ? 0.0 : a.radius_m;
-        return sqrt(square(a.half_width_m) * (2.0 / 3.0) + square(radius_m));
+        return tube_spreading_radius(a.half_width_m, radius_m);
     }
     return a.radius_m;
 }

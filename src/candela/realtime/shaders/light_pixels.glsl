@@ -78,7 +78,7 @@ void main() {
 
     if (kShadingClass == kClassUnlit) {
         if (kCapturesProbe) {
-            // It is in the way of what is behind it, and gives no light.
+            // It occludes what is behind it, and gives no light.
             imageStore(light_image, pixel, vec4(0.0, 0.0, 0.0, 1.0));
             return;
         }

@@ -21,7 +21,7 @@ vec3 environment_glossy(LobeRead read) {
     return environment_glossy(read.direction, read.perceptual_roughness) * read.weight;
 }
 
-// A read of a lobe about n, where it is above the surface.
+// Of a lobe about n: moved to where the lobe is above the surface.
 LobeRead read_above_surface(LobeRead read, vec3 n, vec3 surface_normal) {
     if (!kNormalMapped) return read;
     float alpha = alpha_from_perceptual_roughness(read.perceptual_roughness);
