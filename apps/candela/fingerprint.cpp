@@ -39,8 +39,9 @@ class Digest {
 
 void add_materials(const scene::Scene& scene, Digest& digest) {
     for (const scene::Material& m : scene.materials) {
-        digest.numbers(realtime::material_block(m, scene::FullyRoughRule::flagged),
-                       realtime::material_features(m), m.alpha_mode, m.double_sided, m.unlit);
+        digest.numbers(realtime::material_block(m),
+                       realtime::material_features(m, scene::FullyRoughRule::flagged), m.alpha_mode,
+                       m.double_sided, m.unlit);
         for (const scene::TextureRef* ref : realtime::texture_refs(m)) digest.numbers(ref->texture);
     }
     for (const scene::Texture& t : scene.textures) {

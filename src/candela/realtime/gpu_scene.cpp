@@ -145,15 +145,15 @@ void for_each_mip_chain(const std::vector<ImageUse>& uses, std::size_t max_level
 GpuScene::GpuScene(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
                    bool with_emissive, bool filtered_textures, scene::FullyRoughRule fully_rough)
     : light_list(realtime::light_list(scene, with_emissive)) {
-    upload_geometry(device, commands, scene);
+    upload_geometry(device, commands, scene, fully_rough);
     upload_textures(device, commands, scene, filtered_textures);
-    upload_materials(device, commands, scene, fully_rough);
+    upload_materials(device, commands, scene);
     upload_lights(device, commands);
     visible_shapes = static_cast<std::uint32_t>(shape_lights(light_list).size());
 }
 
-void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& commands,
-                               const scene::Scene& scene) {
+void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                               scene::FullyRoughRule fully_rough) {
     std::vector<Vertex> all_vertices;
     std::vector<std::uint32_t> all_indices;
     std::vector<std::vector<Draw>> mesh_draws(scene.meshes.size());
@@ -169,7 +169,7 @@ void GpuScene::upload_geometry(const gpu::Device& device, gpu::Commands& command
             draw.world_bounds = p.bounds;
             draw.world_center = p.bounds.empty() ? glm::vec3(0.0f) : 0.5f * (p.bounds.min + p.bounds.max);
             const scene::Material& material = scene.materials[p.material];
-            draw.features = material_features(material);
+            draw.features = material_features(material, fully_rough);
             if (!p.colors.empty()) draw.features |= feature_vertex_color;
             draw.blended = opacity.needs_blending(p);
             if (draw.blended) {
@@ -259,15 +259,15 @@ void GpuScene::upload_textures(const gpu::Device& device, gpu::Commands& command
     });
 }
 
-void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-                                scene::FullyRoughRule fully_rough) {
+void GpuScene::upload_materials(const gpu::Device& device, gpu::Commands& commands,
+                                const scene::Scene& scene) {
     const VkDeviceSize alignment =
         std::max<VkDeviceSize>(16, device.limits().minUniformBufferOffsetAlignment);
     material_bytes_ = sizeof(MaterialBlock);
     material_stride_ = (sizeof(MaterialBlock) + alignment - 1) / alignment * alignment;
     std::vector<std::byte> bytes(std::max<std::size_t>(1, scene.materials.size()) * material_stride_);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const MaterialBlock block = material_block(scene.materials[i], fully_rough);
+        const MaterialBlock block = material_block(scene.materials[i]);
         std::memcpy(bytes.data() + i * material_stride_, &block, sizeof(block));
     }
     materials = gpu::upload_buffer(device, commands, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

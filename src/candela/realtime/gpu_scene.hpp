@@ -36,6 +36,7 @@ enum Feature : std::uint32_t {
     feature_vertex_color = 1u << 18,
     feature_double_sided = 1u << 19,
     feature_uv1 = 1u << 20,
+    feature_fully_rough = 1u << 21,  ///< scene::is_fully_rough() under the profile
 };
 inline constexpr std::uint32_t kMaterialTextures = 13;
 
@@ -106,11 +107,11 @@ class GpuScene {
     [[nodiscard]] std::vector<gpu::Binding> material_bindings(std::uint32_t material) const;
 
   private:
-    void upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
+    void upload_geometry(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
+                         scene::FullyRoughRule fully_rough);
     void upload_textures(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
                          bool filtered);
-    void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene,
-                          scene::FullyRoughRule fully_rough);
+    void upload_materials(const gpu::Device& device, gpu::Commands& commands, const scene::Scene& scene);
     void upload_lights(const gpu::Device& device, gpu::Commands& commands);
 
     struct TextureSlot {

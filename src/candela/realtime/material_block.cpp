@@ -25,7 +25,7 @@ bool default_nonmetal(const scene::Material& m) {
 
 }  // namespace
 
-MaterialBlock material_block(const scene::Material& m, scene::FullyRoughRule fully_rough) {
+MaterialBlock material_block(const scene::Material& m) {
     MaterialBlock block{};
     block.base_color = m.base_color;
     block.emissive_nit = glm::vec4(m.emissive_nit, m.alpha_cutoff);
@@ -36,9 +36,8 @@ MaterialBlock material_block(const scene::Material& m, scene::FullyRoughRule ful
     block.clearcoat_anisotropy = glm::vec4(m.clearcoat.factor, m.clearcoat.perceptual_roughness,
                                            m.clearcoat.normal_scale, m.anisotropy.strength);
     const float f0 = m.ior > 0.0f ? shading::f0_from_ior(m.ior) : 1.0f;
-    const float kind = scene::is_fully_rough(m, fully_rough) ? 2.0f : default_nonmetal(m) ? 1.0f : 0.0f;
-    block.f0_rotation =
-        glm::vec4(f0, std::cos(m.anisotropy.rotation_rad), std::sin(m.anisotropy.rotation_rad), kind);
+    block.f0_rotation = glm::vec4(f0, std::cos(m.anisotropy.rotation_rad),
+                                  std::sin(m.anisotropy.rotation_rad), default_nonmetal(m) ? 1.0f : 0.0f);
     const auto refs = texture_refs(m);
     for (std::size_t i = 0; i < refs.size(); ++i) {
         const scene::TextureRef& ref = *refs[i];
@@ -52,7 +51,7 @@ MaterialBlock material_block(const scene::Material& m, scene::FullyRoughRule ful
     return block;
 }
 
-std::uint32_t material_features(const scene::Material& m) {
+std::uint32_t material_features(const scene::Material& m, scene::FullyRoughRule fully_rough) {
     std::uint32_t features = 0;
     const auto refs = texture_refs(m);
     for (std::size_t slot = 0; slot < refs.size(); ++slot) {
@@ -70,6 +69,7 @@ std::uint32_t material_features(const scene::Material& m) {
     if (m.unlit) features |= feature_unlit;
     if (m.workflow == scene::Workflow::specular_glossiness) features |= feature_specular_glossiness;
     if (m.double_sided) features |= feature_double_sided;
+    if (scene::is_fully_rough(m, fully_rough)) features |= feature_fully_rough;
     return features;
 }
 

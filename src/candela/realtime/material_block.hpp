@@ -37,18 +37,18 @@ struct MaterialBlock {
     glm::vec4 clearcoat_anisotropy;  // x coat, y coat perceptual roughness, z coat normal scale, w anisotropy
                                      // strength
     glm::vec4 f0_rotation;  // x dielectric f0 from ior, y cos, z sin of the anisotropy rotation, w 1 where
-                            // metallic and specular are at their defaults, 2 where it is fully rough
+                            // metallic and specular are at their defaults
     std::array<glm::vec4, 2 * kMaterialTextures> uv;  // rows of the 2 x 3 transform; first row's w: uv set
 };
 
-[[nodiscard]] MaterialBlock material_block(const scene::Material& material,
-                                           scene::FullyRoughRule fully_rough);
+[[nodiscard]] MaterialBlock material_block(const scene::Material& material);
 
 /// The material's texture uses in slot order.
 [[nodiscard]] std::array<const scene::TextureRef*, kMaterialTextures> texture_refs(
     const scene::Material& material);
 
 /// Bits of Feature that follow from the material alone.
-[[nodiscard]] std::uint32_t material_features(const scene::Material& material);
+[[nodiscard]] std::uint32_t material_features(const scene::Material& material,
+                                              scene::FullyRoughRule fully_rough);
 
 }  // namespace candela::realtime

@@ -28,6 +28,7 @@ const uint kSpecularGlossiness = 1u << 17;
 const uint kVertexColor = 1u << 18;
 const uint kDoubleSided = 1u << 19;
 const uint kUv1 = 1u << 20;
+const uint kFullyRough = 1u << 21;
 
 bool has(uint feature) { return (kFeatures & feature) != 0u; }
 

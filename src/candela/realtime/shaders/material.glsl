@@ -147,8 +147,9 @@ GBuffer evaluate_material(vec4 base_alpha, float facing, out vec3 emissive_nit) 
             s.coat_perceptual_roughness = sqrt(alpha_filtered(alpha, dndx, dndy));
         }
     }
-    g.default_nonmetal = material.f0_rotation.w == 1.0;
-    g.surface = material.f0_rotation.w == 2.0 ? fully_rough_surface(s) : s;
+    g.default_nonmetal = material.f0_rotation.w != 0.0;
+    if (has(kFullyRough)) s = fully_rough_surface(s);
+    g.surface = s;
     return g;
 }
 
