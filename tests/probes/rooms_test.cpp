@@ -72,7 +72,7 @@ void fill(scene::Scene& s) {
 
 }  // namespace
 
-// Issue 5: with an irradiance volume a Cornell room stays within FLIP 0.08 of the path tracer's, whose noise
+// With an irradiance volume a Cornell room stays within FLIP 0.08 of the path tracer's, whose noise
 // is in it.
 TEST(Rooms, ACornellRoomIsNearTheTruth) {
     scene::Scene s = read_demo(scenes::write_room, "cornell_room");

@@ -242,19 +242,24 @@ TEST(Integrate, ADiffuseSphereInAConstantEnvironmentIsItsAlbedo) {
     for (const glm::vec4& nit : still.planes.light_nit) EXPECT_NEAR(nit.x, 50.0f, 2.0f);
 }
 
+// The larger picture has more texels than its table has cells.
 TEST(Integrate, ASunOfOneTexelGivesItsWholeIlluminance) {
     scene::Scene s = scene_of(square(20.0f), grey(0.5f));
-    s.environment = black(256, 128);
-    const std::uint32_t row = 40;
-    const std::uint32_t column = 230;  // behind the viewer of a square that faces +Z
-    s.environment->luminance_nit[row * 256 + column] = glm::vec3(1.0e9f);
-    const glm::vec3 sun = shading::equirect_direction({(column + 0.5f) / 256.0f, (row + 0.5f) / 128.0f});
-    ASSERT_GT(sun.z, 0.3f);
-    const double sr = shading::equirect_texel_solid_angle(row, 256, 128);
-    const double expected = 1.0e9 * sr * static_cast<double>(sun.z) * 0.5 / 3.14159265358979;
-    EXPECT_NEAR(
-        mean(render(s, integrating("best", 64, 64), parallel({0, 0, 1}), fixed_ev(20.0f))).x / expected, 1.0,
-        0.005);
+    for (const glm::uvec2 size : {glm::uvec2(256, 128), glm::uvec2(4501, 2251)}) {
+        s.environment = black(size.x, size.y);
+        const std::uint32_t row = size.y * 40 / 128;
+        const std::uint32_t column = size.x * 230 / 256;  // behind the viewer of a square that faces +Z
+        s.environment->luminance_nit[row * size.x + column] = glm::vec3(1.0e9f);
+        const glm::vec2 uv((static_cast<float>(column) + 0.5f) / static_cast<float>(size.x),
+                           (static_cast<float>(row) + 0.5f) / static_cast<float>(size.y));
+        const glm::vec3 sun = shading::equirect_direction(uv);
+        ASSERT_GT(sun.z, 0.3f);
+        const double sr = shading::equirect_texel_solid_angle(row, size.x, size.y);
+        const double expected = 1.0e9 * sr * static_cast<double>(sun.z) * 0.5 / 3.14159265358979;
+        const double nit =
+            mean(render(s, integrating("best", 64, 64), parallel({0, 0, 1}), fixed_ev(20.0f))).x;
+        EXPECT_NEAR(nit / expected, 1.0, 0.005) << size.x;
+    }
 }
 
 TEST(Integrate, EachStrategyAloneConvergesToTheSameIntegral) {

@@ -164,7 +164,7 @@ TEST(MeterAgreement, TheFrameAndThePathTracerMeterAlike) {
     }
 }
 
-// Issue 12, B1: EV -3.57 by a lamp of 5 lm. Walls of albedo 0.5 receive 5 lm over 6 x 3.5 m x 3.5 m in the
+// EV -3.57 by a lamp of 5 lm. Walls of albedo 0.5 receive 5 lm over 6 x 3.5 m x 3.5 m in the
 // mean, 0.0108 cd/m^2 or EV -3.53; a brighter floor in the middle of the picture is the rest.
 TEST(MeterAgreement, AClosedRoomIsMeteredByItsLampAndNotByTheSunOutside) {
     const Case c = closed_room();

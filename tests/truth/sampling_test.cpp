@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "candela/bake/environment_distribution.hpp"
 #include "candela/truth/light_tree.hpp"
 #include "shading/bsdf_sampling.glsl"
 #include "shading/dfg.glsl"
@@ -154,13 +155,9 @@ TEST(LightTree, NoLightThatReachesThePointIsNeverDrawn) {
     EXPECT_EQ(tree.probability({0, 3, 0}, {0, 1, 0}, 0), 0.0f) << "behind the receiver";
 }
 
-TEST(EnvironmentLight, ItsDensityIntegratesToOneAndIsThatOfItsDraws) {
-    scene::Environment e = constant(1.0f);
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> unit;
-    for (vec3& t : e.luminance_nit) t = vec3(unit(random));
-    e.luminance_nit[100] = vec3(1e9f);
-    e.rotation_rad = 1.0f;
+namespace {
+
+void expect_the_density_of_draws(const scene::Environment& e) {
     const truth::EnvironmentLight light(e);
     double integral = 0.0;
     constexpr int rows = 512;
@@ -178,6 +175,58 @@ TEST(EnvironmentLight, ItsDensityIntegratesToOneAndIsThatOfItsDraws) {
         ASSERT_GT(s.pdf, 0.0f);
         ASSERT_NEAR(light.pdf(s.direction) / s.pdf, 1.0f, 1e-3f) << i;
     }
+}
+
+}  // namespace
+
+TEST(EnvironmentLight, ItsDensityIntegratesToOneAndIsThatOfItsDraws) {
+    scene::Environment e = constant(1.0f);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit;
+    for (vec3& t : e.luminance_nit) t = vec3(unit(random));
+    e.luminance_nit[100] = vec3(1e9f);
+    e.rotation_rad = 1.0f;
+    expect_the_density_of_draws(e);
+}
+
+// More texels than cells, and not a whole number of texels to a cell.
+TEST(EnvironmentLight, OfALargePictureToo) {
+    scene::Environment e;
+    e.width = 4501;
+    e.height = 2251;
+    e.luminance_nit.assign(std::size_t{4501} * 2251, vec3(1.0f));
+    for (std::size_t y = 300; y < 700; ++y) {
+        for (std::size_t x = 1200; x < 2100; ++x) e.luminance_nit[y * 4501 + x] = vec3(1e4f);
+    }
+    e.scale = 1.0f;
+    expect_the_density_of_draws(e);
+}
+
+TEST(EnvironmentLight, EveryTexelHasItsPartOfTheCellsThatItLiesIn) {
+    scene::Environment e;
+    e.width = 7;
+    e.height = 5;
+    std::mt19937 random(6);
+    std::uniform_real_distribution<float> unit;
+    for (int i = 0; i < 35; ++i) e.luminance_nit.emplace_back(unit(random));
+    const auto shares = [](const bake::EnvironmentDistribution& d, std::size_t columns, std::size_t rows) {
+        double share = 0.0;  // of the upper left corner
+        for (std::size_t y = 0; y < rows; ++y) {
+            const float* row = d.column_cdf.data() + y * static_cast<std::size_t>(d.width + 1);
+            share += static_cast<double>(d.row_cdf[y + 1] - d.row_cdf[y]) * static_cast<double>(row[columns]);
+        }
+        return share;
+    };
+    const bake::EnvironmentDistribution texels = bake::environment_distribution(e);
+    const bake::EnvironmentDistribution cells = bake::environment_distribution(e, {.max_cells = 6});
+    ASSERT_EQ(cells.width, 3);
+    ASSERT_EQ(cells.height, 2);
+    // The first column of cells holds 2 1/3 of 7 columns, the first row 2 1/2 of 5 rows.
+    const auto to_column = [&](std::size_t rows) {
+        return shares(texels, 2, rows) + (shares(texels, 3, rows) - shares(texels, 2, rows)) / 3.0;
+    };
+    EXPECT_NEAR(shares(cells, 1, 1), 0.5 * (to_column(2) + to_column(3)), 1e-5);
+    EXPECT_NEAR(shares(cells, 1, 2), to_column(5), 1e-5);
 }
 
 // E[f cos / pdf] over draws from every lobe is the directional albedo: the density is that of the draws, and

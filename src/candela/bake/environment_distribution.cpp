@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "shading/environment.glsl"
 #include "shading/language.glsl"
@@ -36,6 +37,46 @@ class BilinearLuminance {
     const scene::Environment& environment_;
 };
 
+/// How the texels of an axis lie in its cells, of which there are no more than texels.
+class Cells {
+  public:
+    Cells(int texels, int cells) : texels_(texels), cells_(cells) {}
+
+    /// Adds a texel's weight to the cells that it overlaps, by the part of it that lies in each.
+    template <class Add>
+    void spread(int texel, double weight, const Add& add) const {
+        const std::int64_t begin = std::int64_t{texel} * cells_;
+        const std::int64_t end = begin + cells_;
+        const std::int64_t first = begin / texels_;
+        const std::int64_t edge = (first + 1) * texels_;
+        if (end <= edge) {
+            add(static_cast<std::size_t>(first), weight);
+            return;
+        }
+        const double above = static_cast<double>(edge - begin) / cells_;
+        add(static_cast<std::size_t>(first), above * weight);
+        add(static_cast<std::size_t>(first + 1), (1.0 - above) * weight);
+    }
+
+  private:
+    std::int64_t texels_;
+    std::int64_t cells_;
+};
+
+/// The size of the table: that of the environment over the least whole number that makes it small enough.
+EnvironmentDistribution empty_distribution(const scene::Environment& environment, std::size_t max_cells) {
+    EnvironmentDistribution d;
+    for (int texels = 1;; ++texels) {
+        d.width = std::max(static_cast<int>(environment.width) / texels, 1);
+        d.height = std::max(static_cast<int>(environment.height) / texels, 1);
+        const std::size_t cells = static_cast<std::size_t>(d.width) * static_cast<std::size_t>(d.height);
+        if (cells <= std::max(max_cells, std::size_t{1})) break;
+    }
+    d.row_cdf.resize(static_cast<std::size_t>(d.height) + 1);
+    d.column_cdf.resize(static_cast<std::size_t>(d.height) * (static_cast<std::size_t>(d.width) + 1));
+    return d;
+}
+
 /// Turns weights into a cumulative table of one more entry; uniform where there is no weight.
 void accumulate(const std::vector<double>& weights, float* cdf) {
     double sum = 0.0;
@@ -53,14 +94,9 @@ void accumulate(const std::vector<double>& weights, float* cdf) {
 
 EnvironmentDistribution environment_distribution(const scene::Environment& environment,
                                                  const EnvironmentWeights& how) {
-    EnvironmentDistribution d;
-    d.width = static_cast<int>(environment.width);
-    d.height = static_cast<int>(environment.height);
-    const auto columns = static_cast<std::size_t>(d.width);
-    const auto rows = static_cast<std::size_t>(d.height);
-    d.row_cdf.resize(rows + 1);
-    d.column_cdf.resize(rows * (columns + 1));
-
+    EnvironmentDistribution d = empty_distribution(environment, how.max_cells);
+    const int texel_columns = static_cast<int>(environment.width);
+    const int texel_rows = static_cast<int>(environment.height);
     const BilinearLuminance luminance(environment);
     const auto texel_sr = [&](int row) {
         return static_cast<double>(shading::equirect_texel_solid_angle(
@@ -68,9 +104,9 @@ EnvironmentDistribution environment_distribution(const scene::Environment& envir
     };
     const auto sum_over_sphere = [&](const auto& weight) {
         double total = 0.0;
-        for (int row = 0; row < d.height; ++row) {
+        for (int row = 0; row < texel_rows; ++row) {
             double of_row = 0.0;
-            for (int column = 0; column < d.width; ++column) of_row += weight(column, row);
+            for (int column = 0; column < texel_columns; ++column) of_row += weight(column, row);
             total += of_row * texel_sr(row);
         }
         return total;
@@ -88,18 +124,29 @@ EnvironmentDistribution environment_distribution(const scene::Environment& envir
     const double floor_nit = flat ? 1.0 : total / sphere_sr;
     const double share = flat ? 1.0 : static_cast<double>(how.uniform);
 
-    std::vector<double> row_weights(rows);
+    // By rows of cells; a row of texels lies in two of them at most.
+    const auto columns = static_cast<std::size_t>(d.width);
+    const Cells across(texel_columns, d.width);
+    const Cells down(texel_rows, d.height);
+    std::vector<double> row_weights(static_cast<std::size_t>(d.height));
     std::vector<double> weights(columns);
-    for (int row = 0; row < d.height; ++row) {
-        const auto r = static_cast<std::size_t>(row);
-        for (int column = 0; column < d.width; ++column) {
-            weights[static_cast<std::size_t>(column)] =
-                (1.0 - share) * weight(column, row) + share * floor_nit;
-            row_weights[r] += weights[static_cast<std::size_t>(column)];
-        }
-        row_weights[r] *= texel_sr(row);
-        accumulate(weights, d.column_cdf.data() + r * (columns + 1));
+    std::size_t row = 0;
+    const auto finish_row = [&] {
+        for (const double w : weights) row_weights[row] += w;
+        accumulate(weights, d.column_cdf.data() + row * (columns + 1));
+        ++row;
+        std::fill(weights.begin(), weights.end(), 0.0);
+    };
+    for (int texel_row = 0; texel_row < texel_rows; ++texel_row) {
+        down.spread(texel_row, texel_sr(texel_row), [&](std::size_t cell_row, double sr) {
+            if (cell_row > row) finish_row();
+            for (int column = 0; column < texel_columns; ++column) {
+                const double w = (1.0 - share) * weight(column, texel_row) + share * floor_nit;
+                across.spread(column, w * sr, [&](std::size_t cell, double part) { weights[cell] += part; });
+            }
+        });
     }
+    finish_row();
     accumulate(row_weights, d.row_cdf.data());
     return d;
 }

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "candela/scene/scene.hpp"
 
 namespace candela::bake {
 
-/// Probabilities of an environment's texels, in proportion to the light that each sends: the table behind
-/// shading/environment_sampling.glsl. Rotation and scale of the environment do not matter.
+/// Probabilities of an environment's cells, in proportion to the light that each sends: the table behind
+/// shading/environment_sampling.glsl. Rotation and scale of the environment do not matter. A cell is a texel
+/// of a picture of this size, which is the environment's own or a smaller one.
 struct EnvironmentDistribution {
     int width = 0;
     int height = 0;
@@ -23,6 +25,10 @@ struct EnvironmentWeights {
     /// Leaves what is no brighter than the mean to the draws from the material, which find it anyway: MIS
     /// compensation, Karlik et al. 2019. Needs a second way of drawing.
     bool compensated = false;
+    /// At most this many cells: a larger environment has several texels to a cell, with the sum of their
+    /// light. At the default the table takes 32 MiB, a quarter of the least that a storage buffer holds
+    /// (Vulkan 1.3, Required Limits: maxStorageBufferRange).
+    std::size_t max_cells = std::size_t{1} << 23u;
 };
 
 /// Weights are luminance as bilinear reading sees it, integrated over each texel. An environment without

@@ -22,13 +22,9 @@ constexpr float kUniformShare = 0.1f;
 /// Of a triangle for rays, without its part of the tree.
 constexpr std::size_t kTriangleBytes = 4 * sizeof(Quad);
 
-std::vector<float> environment_table(const scene::Scene& scene) {
-    if (!scene.environment) return {};
-    bake::EnvironmentDistribution d =
-        bake::environment_distribution(*scene.environment, {.uniform = kUniformShare});
-    std::vector<float> table = std::move(d.row_cdf);
-    table.insert(table.end(), d.column_cdf.begin(), d.column_cdf.end());
-    return table;
+bake::EnvironmentDistribution distribution(const std::optional<scene::Environment>& environment) {
+    if (!environment) return {};
+    return bake::environment_distribution(*environment, {.uniform = kUniformShare});
 }
 
 /// The parts of the buffer one after the other, each from a multiple of four words on.
@@ -39,8 +35,13 @@ class Tables {
     /// Appends plain data; returns its first word.
     template <class T>
     std::uint32_t append(const std::vector<T>& data) {
-        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
         words_.resize((words_.size() + 3) / 4 * 4);
+        return append_packed(data);
+    }
+    /// The same without room to the multiple of four.
+    template <class T>
+    std::uint32_t append_packed(const std::vector<T>& data) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
         const std::size_t first = words_.size();
         words_.resize(first + data.size() * (sizeof(T) / 4));
         if (!data.empty()) std::memcpy(words_.data() + first, data.data(), data.size() * sizeof(T));
@@ -101,7 +102,9 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
 
     const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
     std::array<std::uint32_t, 20> header{};
-    header[0] = tables.append(environment_table(scene));
+    const bake::EnvironmentDistribution environment = distribution(scene.environment);
+    header[0] = tables.append(environment.row_cdf);
+    tables.append_packed(environment.column_cdf);
     header[1] = tables.append_quads(emitters.asked);
     header[2] = count(emitters.asked.size());
     header[3] = tables.append_quads(emitters.nodes);
@@ -118,6 +121,8 @@ IntegrateTables upload_integrate_tables(const gpu::Device& device, gpu::Commands
     header[14] = tables.append_quads(lights.profiles);
     header[15] = tables.append(lights.profile_cd);
     header[16] = tables.append_quads(rays.instances);
+    header[17] = count(static_cast<std::size_t>(environment.width));
+    header[18] = count(static_cast<std::size_t>(environment.height));
     tables.write_header(header);
     check_fits(device, tables.words().size() * sizeof(std::uint32_t), options->ray_shadows);
 

@@ -30,7 +30,8 @@ Interval find(std::span<const float> cdf, float u) {
 EnvironmentLight::EnvironmentLight(const scene::Environment& environment)
     : environment_(&environment),
       distribution_(bake::environment_distribution(environment, {.uniform = 0.0f, .compensated = true})),
-      size_(static_cast<int>(environment.width), static_cast<int>(environment.height)) {
+      size_(static_cast<int>(environment.width), static_cast<int>(environment.height)),
+      cells_(distribution_.width, distribution_.height) {
     lit_ = environment.scale > 0.0f &&
            std::any_of(environment.luminance_nit.begin(), environment.luminance_nit.end(),
                        [](const glm::vec3& t) { return t.x > 0.0f || t.y > 0.0f || t.z > 0.0f; });
@@ -52,13 +53,13 @@ glm::vec3 EnvironmentLight::luminance_nit(const glm::vec3& direction) const {
     return glm::mix(upper, lower, t.fraction.y) * environment_->scale;
 }
 
-float EnvironmentLight::texel_pdf(const glm::ivec2& texel) const {
-    const auto row = static_cast<std::size_t>(texel.y);
+float EnvironmentLight::cell_pdf(const glm::ivec2& cell) const {
+    const auto row = static_cast<std::size_t>(cell.y);
     const float* columns =
-        distribution_.column_cdf.data() + row * static_cast<std::size_t>(size_.x + 1) + texel.x;
+        distribution_.column_cdf.data() + row * static_cast<std::size_t>(cells_.x + 1) + cell.x;
     const float share =
         (distribution_.row_cdf[row + 1] - distribution_.row_cdf[row]) * (columns[1] - columns[0]);
-    return shading::environment_texel_pdf(share, texel.y, size_);
+    return shading::environment_texel_pdf(share, cell.y, cells_);
 }
 
 DirectionSample EnvironmentLight::sample(const glm::vec2& u) const {
@@ -75,23 +76,23 @@ DirectionSample EnvironmentLight::sample(const glm::vec2& u) const {
     const Interval row = find(distribution_.row_cdf, u.y);
     const std::span<const float> columns(
         distribution_.column_cdf.data() +
-            static_cast<std::size_t>(row.index) * static_cast<std::size_t>(size_.x + 1),
-        static_cast<std::size_t>(size_.x + 1));
+            static_cast<std::size_t>(row.index) * static_cast<std::size_t>(cells_.x + 1),
+        static_cast<std::size_t>(cells_.x + 1));
     const Interval column = find(columns, u.x);
-    const glm::ivec2 texel(column.index, row.index);
+    const glm::ivec2 cell(column.index, row.index);
     const glm::vec3 local =
-        shading::environment_texel_direction(texel, {column.fraction, row.fraction}, size_);
+        shading::environment_texel_direction(cell, {column.fraction, row.fraction}, cells_);
     out.direction = shading::rotate_about_y(local, environment_->rotation_rad);
     out.luminance_nit = luminance_nit(out.direction);
-    out.pdf = texel_pdf(texel);
+    out.pdf = cell_pdf(cell);
     return out;
 }
 
 float EnvironmentLight::pdf(const glm::vec3& direction) const {
     if (!lit_) return 0.0f;
     if (!environment_) return 1.0f / (4.0f * shading::PI);
-    return texel_pdf(
-        shading::environment_texel(shading::rotate_about_y(direction, -environment_->rotation_rad), size_));
+    return cell_pdf(
+        shading::environment_texel(shading::rotate_about_y(direction, -environment_->rotation_rad), cells_));
 }
 
 }  // namespace candela::truth

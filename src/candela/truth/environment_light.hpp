@@ -32,11 +32,12 @@ class EnvironmentLight {
     [[nodiscard]] float pdf(const glm::vec3& direction) const;
 
   private:
-    [[nodiscard]] float texel_pdf(const glm::ivec2& texel) const;
+    [[nodiscard]] float cell_pdf(const glm::ivec2& cell) const;
 
     const scene::Environment* environment_ = nullptr;
     bake::EnvironmentDistribution distribution_;
-    glm::ivec2 size_{0};
+    glm::ivec2 size_{0};   ///< of the environment in texels
+    glm::ivec2 cells_{0};  ///< of the distribution
     float constant_nit_ = 0.0f;
     bool lit_ = false;
 };

@@ -25,7 +25,8 @@ const bool kHasInstances = (kIntegrate & 64) != 0;
 
 #include "emitters.glsl"
 
-// bake/environment_distribution.hpp: height + 1 entries of rows, then height rows of width + 1 entries.
+// bake/environment_distribution.hpp: for each row of cells and one more the cumulative share, then for each row as many
+// of its cells.
 float environment_cdf(int index) { return table_floats[environment_first_float() + uint(index)]; }
 
 // Dimensions of the random sequence, two numbers each.
@@ -54,11 +55,13 @@ int search_cdf(int first, int count, float u, out float fraction, out float shar
 }
 
 float cdf_step(int index) { return environment_cdf(index + 1) - environment_cdf(index); }
-int first_of_row(int row, ivec2 size) { return size.y + 1 + row * (size.x + 1); }
+int first_of_row(int row, ivec2 cells) { return cells.y + 1 + row * (cells.x + 1); }
 
-float environment_pdf(ivec2 texel, ivec2 size) {
-    float share = cdf_step(texel.y) * cdf_step(first_of_row(texel.y, size) + texel.x);
-    return environment_texel_pdf(share, texel.y, size);
+float environment_pdf(vec3 direction) {
+    ivec2 cells = environment_cells();
+    ivec2 cell = environment_texel(direction, cells);
+    float share = cdf_step(cell.y) * cdf_step(first_of_row(cell.y, cells) + cell.x);
+    return environment_texel_pdf(share, cell.y, cells);
 }
 
 vec3 environment_luminance_nit(vec3 direction, ivec2 size) {
@@ -70,14 +73,15 @@ vec3 environment_luminance_nit(vec3 direction, ivec2 size) {
     return mix(top, bottom, t.fraction.y) * frame.environment.z;
 }
 
-vec3 sample_environment(vec2 u, ivec2 size, out float pdf) {
+vec3 sample_environment(vec2 u, out float pdf) {
+    ivec2 cells = environment_cells();
     vec2 fraction;
     vec2 share;
-    ivec2 texel;
-    texel.y = search_cdf(0, size.y, u.y, fraction.y, share.y);
-    texel.x = search_cdf(first_of_row(texel.y, size), size.x, u.x, fraction.x, share.x);
-    pdf = environment_texel_pdf(share.x * share.y, texel.y, size);
-    return environment_texel_direction(texel, fraction, size);
+    ivec2 cell;
+    cell.y = search_cdf(0, cells.y, u.y, fraction.y, share.y);
+    cell.x = search_cdf(first_of_row(cell.y, cells), cells.x, u.x, fraction.x, share.x);
+    pdf = environment_texel_pdf(share.x * share.y, cell.y, cells);
+    return environment_texel_direction(cell, fraction, cells);
 }
 
 // A surface point with what all its draws share.
@@ -130,7 +134,7 @@ Draw from_arrival(Arrival a, float probability, bool shadows) {
 
 Draw environment_draw(Receiver r, uint index, uint seed, ivec2 size) {
     Draw d = kNoDraw;
-    vec3 local = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), size, d.pdf);
+    vec3 local = sample_environment(sobol_owen_pair(index, kPairEnvironment, seed), d.pdf);
     d.l = from_environment(local);
     d.distance_m = kNoEnd;
     d.blocked = true;
@@ -239,7 +243,7 @@ Draw bsdf_draw(Receiver r, uint index, uint seed, ivec2 size) {
     }
     if (kHasEnvironment) {
         vec3 local = to_environment(d.l);
-        float other = environment_pdf(environment_texel(local, size), size);
+        float other = environment_pdf(local);
         d.indirect = environment_luminance_nit(local, size) *
                      (kStrategy == kStrategyBoth ? power_heuristic(d.pdf, other) : 1.0);
     }

@@ -1,4 +1,4 @@
-// What the mode `integrate` reads beside the frame: one buffer of tables. C++: integrate_tables.cpp.
+// What the mode `integrate` reads beside the frame: one buffer of tables. C++: integrate_pass.cpp.
 #ifndef CANDELA_TABLES_GLSL
 #define CANDELA_TABLES_GLSL
 
@@ -29,6 +29,7 @@ uint light_first() { return table_quads[3].y; }
 uint profile_first() { return table_quads[3].z; }
 uint profile_first_float() { return table_quads[3].w; }
 uint ray_instance_first() { return table_quads[4].x; }
+ivec2 environment_cells() { return ivec2(table_quads[4].yz); }
 
 vec3 quad_vec3(uint index) { return uintBitsToFloat(table_quads[index].xyz); }
 
