@@ -122,9 +122,8 @@ void expect_dark(LightType distant, LightType local, const Walls& walls) {
 TEST(Leak, RoomsStayDarkUnderLightsWithoutExtent) {
     const double pixels = 5e-4;
     const double light = 1e-4;
-    for (const auto& [size_m, wall_m] : {std::pair{4.0f, 0.2f}, {20.0f, 0.2f}}) {
-        expect_dark(LightType::directional, LightType::point, {size_m, wall_m, 0.0, 0.0});
-    }
+    expect_dark(LightType::directional, LightType::point, {4.0f, 0.2f, 0.0, 0.0});
+    expect_dark(LightType::directional, LightType::point, {20.0f, 0.2f, 1e-4, 2e-6});
     for (const auto& [size_m, wall_m] : {std::pair{4.0f, 0.01f}, {20.0f, 0.01f}, {4.0f, 0.0f}}) {
         expect_dark(LightType::directional, LightType::point, {size_m, wall_m, pixels, light});
     }
@@ -133,9 +132,8 @@ TEST(Leak, RoomsStayDarkUnderLightsWithoutExtent) {
 TEST(Leak, RoomsStayDarkUnderLightsWithExtent) {
     const double pixels = 1.2e-3;
     const double light = 2e-4;
-    for (const auto& [size_m, wall_m] : {std::pair{4.0f, 0.2f}, {20.0f, 0.2f}}) {
-        expect_dark(LightType::sun, LightType::sphere, {size_m, wall_m, 0.0, 0.0});
-    }
+    expect_dark(LightType::sun, LightType::sphere, {4.0f, 0.2f, 0.0, 0.0});
+    expect_dark(LightType::sun, LightType::sphere, {20.0f, 0.2f, 1e-4, 2e-6});
     for (const auto& [size_m, wall_m] : {std::pair{4.0f, 0.01f}, {20.0f, 0.01f}, {4.0f, 0.0f}}) {
         expect_dark(LightType::sun, LightType::sphere, {size_m, wall_m, pixels, light});
     }

@@ -5,6 +5,7 @@
 
 #include "candela/realtime/shadow_plan.hpp"
 #include "candela/realtime/shadow_views.hpp"
+#include "candela/realtime/visible_depths.hpp"
 #include "common/contact_scenes.hpp"
 #include "render_scenes.hpp"
 
@@ -265,8 +266,9 @@ TEST(Shadow, CascadesStayOnTheirTexels) {
     for (auto& tile : shadow.tiles) tile.size = 1024;
     const auto views = [&](float step_m) {
         const glm::vec3 eye(step_m, 2.0f, 10.0f + 0.3f * step_m);
-        return realtime::cascade_views(
-            light, shadow, scene::look_at(eye, eye + glm::vec3(0.1f, -0.2f, -1.0f), 0.7f), 1.6f, bounds);
+        const scene::Camera camera = scene::look_at(eye, eye + glm::vec3(0.1f, -0.2f, -1.0f), 0.7f);
+        return realtime::cascade_views(light, shadow, camera, 1.6f, bounds,
+                                       realtime::visible_depths_m(camera, 1.6f, std::array{bounds}));
     };
     const realtime::LightViews before = views(0.0f);
     ASSERT_EQ(before.records.size(), realtime::kCascades);
@@ -281,6 +283,39 @@ TEST(Shadow, CascadesStayOnTheirTexels) {
                 EXPECT_NEAR(moved, std::round(moved), 2e-3f) << "cascade " << i;
             }
         }
+    }
+}
+
+// A picture of things on a ground that goes on for 200 m and that the picture cuts off: no texel of what is
+// seen is wider than 3.5 of its pixels.
+TEST(Shadow, CascadesAreForWhatIsSeenOfALargeGround) {
+    const scene::Camera camera = scene::look_at({0.35f, 1.35f, 3.4f}, {0.0f, 0.4f, 0.0f}, 0.471f);
+    scene::Aabb ground;
+    ground.extend({-100.0f, -0.01f, -100.0f});
+    ground.extend({100.0f, 0.0f, 100.0f});
+    scene::Aabb thing;
+    thing.extend({-1.0f, 0.0f, -0.5f});
+    thing.extend({1.0f, 0.7f, 0.5f});
+    scene::Aabb bounds = ground;
+    bounds.extend(thing);
+    const scene::Light light = light_at(LightType::sun, {2.0f, 3.0f, 1.0f}, glm::vec3(0.0f), 1000.0f);
+    realtime::LightShadow shadow{0, realtime::ShadowKind::cascades, {}};
+    for (auto& tile : shadow.tiles) tile.size = 1024;
+    const float aspect = 1280.0f / 720.0f;
+    const glm::vec2 seen_m = realtime::visible_depths_m(camera, aspect, std::array{ground, thing});
+    const realtime::LightViews views = realtime::cascade_views(light, shadow, camera, aspect, bounds, seen_m);
+    const glm::vec3 eye(camera.world[3]);
+    for (float depth_m = seen_m.x; depth_m < seen_m.y; depth_m *= 1.1f) {
+        const glm::vec3 p = eye - depth_m * glm::vec3(camera.world[2]);
+        const auto holds = [&](const realtime::ShadowRecord& r) {
+            const float x = (glm::dot(glm::vec3(r.right), p) + r.right.w) / r.numbers.w;
+            const float y = (glm::dot(glm::vec3(r.up), p) + r.up.w) / r.numbers.w;
+            return std::max(std::abs(x), std::abs(y)) < r.numbers.z;
+        };
+        const auto first = std::find_if(views.records.begin(), views.records.end(), holds);
+        ASSERT_NE(first, views.records.end()) << depth_m;
+        const float pixel_m = 2.0f * depth_m * std::tan(0.5f * camera.yfov_rad) / 720.0f;
+        EXPECT_LT(first->numbers.w, 3.5f * pixel_m) << depth_m;
     }
 }
 

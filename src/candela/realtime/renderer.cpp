@@ -188,7 +188,7 @@ struct Renderer::State {
     void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
                            float footprint, std::uint32_t sample, std::uint32_t draws);
     void record_light(const scene::Camera& camera);
-    [[nodiscard]] float meter(const scene::Camera& camera, bool& found);
+    [[nodiscard]] float meter(const scene::Camera& camera, bool moving, bool& found);
 
     const gpu::Device* device;
     RendererOptions options;
@@ -254,11 +254,11 @@ void Renderer::State::record_light(const scene::Camera& camera) {
                    glm::normalize(glm::vec3(camera.world[2])));
 }
 
-float Renderer::State::meter(const scene::Camera& camera, bool& found) {
+float Renderer::State::meter(const scene::Camera& camera, bool moving, bool& found) {
     const float guess = shading::ev100_from_luminance(std::max(light_limits.typical_nit, 1e-6f));
     const std::optional<float> metered = meter_ev100(guess, [&](float pre) {
         write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-        shadows.prepare(commands, frame, gpu_scene, camera, false);
+        shadows.prepare(commands, frame, gpu_scene, camera, moving);
         commands.begin();
         record_light(camera);
         metering.record(commands, frame);
@@ -304,7 +304,7 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
     Still still;
     still.width = s.frame.width;
     still.height = s.frame.height;
-    still.ev100 = exposure.automatic() ? s.meter(camera, still.metered) : manual_ev100(exposure);
+    still.ev100 = exposure.automatic() ? s.meter(camera, false, still.metered) : manual_ev100(exposure);
     still.ev100 -= exposure.compensation_ev;
     still.exposure = exposure_at(still.ev100, s.options.profile.exposure);
 
@@ -338,7 +338,7 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     if (!exposure.automatic()) {
         ev100 = manual_ev100(exposure);
     } else {
-        if (!s.followed_ev100) s.followed_ev100 = s.meter(camera, found);
+        if (!s.followed_ev100) s.followed_ev100 = s.meter(camera, true, found);
         ev100 = *s.followed_ev100;
     }
     const float wanted = exposure_at(ev100 - exposure.compensation_ev, s.options.profile.exposure);

@@ -4,12 +4,16 @@
 #include <cstring>
 
 #include "candela/realtime/mesh_pipelines.hpp"
+#include "candela/realtime/visible_depths.hpp"
 #include "candela_shaders/shadow_frag.hpp"
 #include "candela_shaders/shadow_masked_frag.hpp"
 #include "candela_shaders/shadow_vert.hpp"
 
 namespace candela::realtime {
 namespace {
+
+/// Texels to a pixel of a still's cascades, which are drawn once for all of its samples.
+constexpr float kStillTexels = 2.0f;
 
 /// What a shadow needs to know of a material: nothing, or all that its mask depends on.
 std::uint32_t shadow_features(const Draw& draw) {
@@ -43,6 +47,12 @@ bool still_fits(const std::vector<ShadowRequest>& planned, const std::vector<Sha
                       });
 }
 
+std::vector<scene::Aabb> boxes_of(const GpuScene& gpu_scene) {
+    std::vector<scene::Aabb> boxes;
+    for (const Draw& draw : gpu_scene.draws) boxes.push_back(draw.world_bounds);
+    return boxes;
+}
+
 /// Of the scene, then of emissive surfaces; none when nothing has shadows.
 std::vector<scene::Light> lights_of(const FrameResources& frame, const GpuScene& gpu_scene,
                                     const scene::Scene& scene) {
@@ -72,6 +82,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const FrameResources& frame, c
     : device_(&device),
       budget_texels_(atlas_texels),
       bounds_(scene::world_bounds(scene)),
+      boxes_(boxes_of(gpu_scene)),
       lights_(lights_of(frame, gpu_scene, scene)),
       visibility_(device, frame, lights_),
       first_emissive_(static_cast<std::uint32_t>(scene.lights.size())),
@@ -151,7 +162,7 @@ void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScen
                          const scene::Camera& camera, bool moving) {
     if (!frame.shadow_kinds) return;
     const std::vector<ShadowRequest> wanted =
-        shadow_requests(lights_, bounds_, camera, frame.width, frame.height);
+        shadow_requests(lights_, bounds_, camera, frame.width, frame.height, moving ? 1.0f : kStillTexels);
     if (!still_fits(planned_for_, wanted)) {
         planned_for_ = wanted;
         set_plan(commands, frame, gpu_scene,
@@ -159,10 +170,12 @@ void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScen
     }
     const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
     std::vector<ShadowView> cascades;
+    const glm::vec2 visible_m = visible_depths_m(camera, aspect, boxes_);
     for (std::size_t slot = 0; slot < plan_.lights.size(); ++slot) {
         const LightShadow& shadow = plan_.lights[slot];
         if (shadow.kind != ShadowKind::cascades) continue;
-        const LightViews views = cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_);
+        const LightViews views =
+            cascade_views(lights_[shadow.light], shadow, camera, aspect, bounds_, visible_m);
         set_records(slot, views.records);
         cascades.insert(cascades.end(), views.views.begin(), views.views.end());
     }

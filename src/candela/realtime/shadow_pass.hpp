@@ -36,6 +36,7 @@ class ShadowPass {
     const gpu::Device* device_;
     std::uint32_t budget_texels_;
     scene::Aabb bounds_;
+    std::vector<scene::Aabb> boxes_;    ///< of what is drawn
     std::vector<scene::Light> lights_;  ///< of the scene, then emissive surfaces
     ShadowVisibilityPass visibility_;
     std::uint32_t first_emissive_ = 0;

@@ -165,7 +165,7 @@ std::uint32_t shadow_tiles(ShadowKind kind) {
 
 std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& lights, const scene::Aabb& bounds,
                                            const scene::Camera& camera, std::uint32_t width,
-                                           std::uint32_t height) {
+                                           std::uint32_t height, float cascade_texels) {
     std::vector<ShadowRequest> requests;
     if (bounds.empty()) return requests;
     const auto pixels = static_cast<float>(std::max(width, height));
@@ -173,7 +173,7 @@ std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& ligh
         const scene::Light& light = lights[i];
         if (!light.casts_shadow || !(light.intensity > 0.0f)) continue;
         ShadowRequest r{i, shadow_kind(light), 0, std::numeric_limits<float>::infinity()};
-        float texels = pixels;
+        float texels = cascade_texels * std::max(pixels, static_cast<float>(kSmallestWanted));
         if (r.kind != ShadowKind::cascades) {
             const float reach = reach_m(light, bounds);
             const float coverage = screen_coverage(light, reach, camera);

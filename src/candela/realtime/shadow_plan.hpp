@@ -53,12 +53,13 @@ struct ShadowRequest {
     float coverage = 1.0f;  ///< of the picture's height
 };
 
-/// One request a light that casts shadows: tiles as fine as the picture's pixels where the light reaches, and
-/// the importance screen coverage times illuminance (lx, half-way to where the light ends).
+/// One request a light that casts shadows: tiles as fine as the picture's pixels where the light reaches
+/// (cascades by `cascade_texels` to a pixel), and the importance screen coverage times illuminance (lx,
+/// half-way to where the light ends).
 [[nodiscard]] std::vector<ShadowRequest> shadow_requests(const std::vector<scene::Light>& lights,
                                                          const scene::Aabb& bounds,
                                                          const scene::Camera& camera, std::uint32_t width,
-                                                         std::uint32_t height);
+                                                         std::uint32_t height, float cascade_texels = 1.0f);
 
 /// Puts the requests into an atlas of at most atlas_texels a side. When they are too many, cascades keep half
 /// of the atlas if they ask for it; of the other tiles, the largest for what they cover of the picture shrink

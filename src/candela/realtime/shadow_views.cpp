@@ -17,9 +17,6 @@ constexpr float kPunctualNear_m = 0.01f;
 /// tenth of its power.
 constexpr float kAreaOpening = 3.0f;
 
-/// Between uniform (0) and logarithmic (1) ends of the cascades.
-constexpr float kSplitBlend = 0.7f;
-
 glm::vec4 row(const glm::vec3& axis, const glm::vec3& origin) {
     return {axis, -glm::dot(axis, origin)};
 }
@@ -147,30 +144,29 @@ Sphere slice_sphere(const scene::Camera& any_camera, float aspect, float near, f
     return {eye + middle * view, std::sqrt(std::max(dn * dn + near * near * k2, df * df + far * far * k2))};
 }
 
-/// Depths along the view between which there is something to be shadowed, in steps of a quarter octave.
-glm::vec2 depth_range(const scene::Camera& camera, const scene::Aabb& bounds) {
-    float near = std::numeric_limits<float>::infinity();
-    float far = 0.0f;
-    const glm::vec3 view = -glm::normalize(glm::vec3(camera.world[2]));
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p{(corner & 1) ? bounds.max.x : bounds.min.x,
-                          (corner & 2) ? bounds.max.y : bounds.min.y,
-                          (corner & 4) ? bounds.max.z : bounds.min.z};
-        const float depth = glm::dot(p - glm::vec3(camera.world[3]), view);
-        near = std::min(near, depth);
-        far = std::max(far, depth);
-    }
-    far = std::max(std::min(far, camera.zfar_m), 1e-3f);
-    near = std::min(std::max({near, camera.znear_m, far * 0.02f}), far);
+/// Slices nearer than this share of the farthest depth would take texels from rooms, whose walls may not
+/// leak.
+constexpr float kLeastSplit = 0.05f;
+
+/// Depths between which the cascades end, in steps of a quarter octave. The first one begins at the nearest
+/// that is visible.
+glm::vec2 split_range(const glm::vec2& visible_m) {
+    const float far = std::max(visible_m.y, 1e-3f);
+    const float near = std::clamp(visible_m.x, far * kLeastSplit, far);
     return {std::exp2(std::floor(std::log2(near) * 4.0f) / 4.0f),
             std::exp2(std::ceil(std::log2(far) * 4.0f) / 4.0f)};
 }
 
-float split(const glm::vec2& range, std::uint32_t i) {
-    const float x = static_cast<float>(i) / static_cast<float>(kCascades);
-    const float uniform = range.x + (range.y - range.x) * x;
-    const float logarithmic = range.x * std::pow(range.y / range.x, x);
-    return uniform + kSplitBlend * (logarithmic - uniform);
+/// One for each time that the depth doubles: within it a texel is at most twice as large beside a pixel at
+/// its near end as at its far end.
+std::uint32_t cascade_count(const glm::vec2& range) {
+    const long doublings = std::lround(std::ceil(std::log2(range.y / range.x) - 0.01f));
+    return static_cast<std::uint32_t>(std::clamp(doublings, 1l, static_cast<long>(kCascades)));
+}
+
+/// Equal ratios of depth: texels grow as pixels do (Lloyd et al. 2006, logarithmic z-partitioning).
+float split(const glm::vec2& range, std::uint32_t i, std::uint32_t count) {
+    return range.x * std::pow(range.y / range.x, static_cast<float>(i) / static_cast<float>(count));
 }
 
 }  // namespace
@@ -197,7 +193,7 @@ LightViews local_views(const scene::Light& light, const LightShadow& shadow) {
 }
 
 LightViews cascade_views(const scene::Light& light, const LightShadow& shadow, const scene::Camera& camera,
-                         float aspect, const scene::Aabb& bounds) {
+                         float aspect, const scene::Aabb& bounds, const glm::vec2& visible_m) {
     glm::vec3 right;
     glm::vec3 up;
     shading::orthonormal_basis(light.direction, right, up);
@@ -206,11 +202,13 @@ LightViews cascade_views(const scene::Light& light, const LightShadow& shadow, c
     // Everything that casts a shadow is between these planes.
     const float first = glm::dot(whole.center, light.direction) - 1.001f * whole.radius;
     const float depth = 2.002f * whole.radius;
-    const glm::vec2 range = depth_range(camera, bounds);
+    const glm::vec2 range = split_range(visible_m);
     LightViews out;
-    for (std::uint32_t i = 0; i < kCascades; ++i) {
+    const std::uint32_t count = cascade_count(range);
+    for (std::uint32_t i = 0; i < count; ++i) {
         Sphere sphere =
-            slice_sphere(camera, aspect, i == 0 ? camera.znear_m : split(range, i), split(range, i + 1));
+            slice_sphere(camera, aspect, i == 0 ? std::min(visible_m.x, range.x) : split(range, i, count),
+                         split(range, i + 1, count));
         sphere.radius = std::exp2(std::ceil(std::log2(sphere.radius) * 8.0f) / 8.0f);
         const bool last = sphere.radius >= whole.radius;
         if (last) sphere = whole;

@@ -55,7 +55,10 @@ struct LightViews {
 
 /// Parallel projections that follow the camera. Their axes turn with the light alone, their sizes change in
 /// steps and their corners move by whole texels, so that a moving camera does not make edges crawl.
+/// `visible_m`: the least and the greatest depth of what the camera sees (visible_depths.hpp), which the
+/// cascades share.
 [[nodiscard]] LightViews cascade_views(const scene::Light& light, const LightShadow& shadow,
-                                       const scene::Camera& camera, float aspect, const scene::Aabb& bounds);
+                                       const scene::Camera& camera, float aspect, const scene::Aabb& bounds,
+                                       const glm::vec2& visible_m);
 
 }  // namespace candela::realtime
