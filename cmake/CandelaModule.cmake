@@ -1,8 +1,12 @@
-# candela_add_module(NAME [DEPENDS module...] [PRIVATE lib...]): the static library candela_NAME of every .cpp in the
-# current folder, for tests that need just this module. The shared library `candela` is made of the same objects.
+# candela_add_module(NAME [FOLDERS folder...] [DEPENDS module...] [PRIVATE lib...]): the static library candela_NAME of
+# every .cpp in the current folder and in those folders of it, for tests that need just this module. The shared library `candela` is made of the same objects.
 function(candela_add_module name)
-    cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "" "" "FOLDERS;DEPENDS;PRIVATE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    foreach(folder IN LISTS arg_FOLDERS)
+        file(GLOB more CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(APPEND sources ${more})
+    endforeach()
     if(NOT sources)
         file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp CONTENT "")
         set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)

@@ -205,6 +205,17 @@ void Commands::use(Buffer& buffer, Use next) {
     depend(*device_, buffer_, info);
 }
 
+void Commands::full_barrier() {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    depend(*device_, buffer_, info);
+}
+
 void Commands::bind(const ComputePipeline& pipeline, std::span<const Binding> bindings,
                     std::span<const std::byte> constants) {
     const auto& vk = device_->vk;

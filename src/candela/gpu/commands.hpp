@@ -46,6 +46,8 @@ class Commands {
     /// Barriers for what the next commands do with a resource.
     void use(Image& image, Use use);
     void use(Buffer& buffer, Use use);
+    /// Everything so far ends before anything after: for memory that another resource had.
+    void full_barrier();
 
     /// Starts a named, timed pass; ends the one before.
     void begin_pass(std::string name);

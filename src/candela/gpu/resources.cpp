@@ -32,20 +32,33 @@ Owned<VkImageView> create_view(const Device& device, VkImage image, VkFormat for
 
 }  // namespace
 
-Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage, MemoryKind kind)
-    : size_(bytes) {
+Buffer Buffer::unbound(const Device& device, std::size_t bytes, VkBufferUsageFlags usage) {
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     info.size = bytes;
     info.usage = usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    VkBuffer buffer{};
-    check(device.vk.vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "vkCreateBuffer");
-    Owned<VkBuffer> owned{buffer,
-                          [&device](VkBuffer b) { device.vk.vkDestroyBuffer(device.handle(), b, nullptr); }};
+    VkBuffer handle{};
+    check(device.vk.vkCreateBuffer(device.handle(), &info, nullptr, &handle), "vkCreateBuffer");
+    Buffer buffer;
+    buffer.size_ = bytes;
+    buffer.buffer_ = {handle,
+                      [&device](VkBuffer b) { device.vk.vkDestroyBuffer(device.handle(), b, nullptr); }};
+    return buffer;
+}
+
+VkMemoryRequirements Buffer::requirements(const Device& device) const {
     VkMemoryRequirements requirements{};
-    device.vk.vkGetBufferMemoryRequirements(device.handle(), buffer, &requirements);
-    memory_ = device.allocate(requirements, properties_of(kind));
-    check(device.vk.vkBindBufferMemory(device.handle(), buffer, memory_.get(), 0), "vkBindBufferMemory");
-    buffer_ = std::move(owned);
+    device.vk.vkGetBufferMemoryRequirements(device.handle(), handle(), &requirements);
+    return requirements;
+}
+
+void Buffer::bind(const Device& device, VkDeviceMemory block, VkDeviceSize offset) {
+    check(device.vk.vkBindBufferMemory(device.handle(), handle(), block, offset), "vkBindBufferMemory");
+}
+
+Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage, MemoryKind kind)
+    : Buffer(unbound(device, bytes, usage)) {
+    memory_ = device.allocate(requirements(device), properties_of(kind));
+    bind(device, memory_.get(), 0);
     if (kind != MemoryKind::device) {
         void* address = nullptr;
         check(device.vk.vkMapMemory(device.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &address),
@@ -54,7 +67,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage
     }
 }
 
-Image::Image(const Device& device, const ImageDesc& desc) : desc_(desc) {
+Image Image::unbound(const Device& device, const ImageDesc& desc) {
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = desc.format;
@@ -64,21 +77,33 @@ Image::Image(const Device& device, const ImageDesc& desc) : desc_(desc) {
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = desc.usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    VkImage image{};
-    check(device.vk.vkCreateImage(device.handle(), &info, nullptr, &image), "vkCreateImage");
-    Owned<VkImage> owned{image,
-                         [&device](VkImage i) { device.vk.vkDestroyImage(device.handle(), i, nullptr); }};
+    VkImage handle{};
+    check(device.vk.vkCreateImage(device.handle(), &info, nullptr, &handle), "vkCreateImage");
+    Image image;
+    image.desc_ = desc;
+    image.image_ = {handle, [&device](VkImage i) { device.vk.vkDestroyImage(device.handle(), i, nullptr); }};
+    return image;
+}
+
+VkMemoryRequirements Image::requirements(const Device& device) const {
     VkMemoryRequirements requirements{};
-    device.vk.vkGetImageMemoryRequirements(device.handle(), image, &requirements);
-    memory_ = device.allocate(requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-    check(device.vk.vkBindImageMemory(device.handle(), image, memory_.get(), 0), "vkBindImageMemory");
-    image_ = std::move(owned);
-    view_ = create_view(device, image, desc.format, aspect(), 0, desc.mip_levels);
-    if (desc.mip_levels > 1 && (desc.usage & VK_IMAGE_USAGE_STORAGE_BIT)) {
-        for (std::uint32_t level = 0; level < desc.mip_levels; ++level) {
-            mip_views_.push_back(create_view(device, image, desc.format, aspect(), level, 1));
+    device.vk.vkGetImageMemoryRequirements(device.handle(), handle(), &requirements);
+    return requirements;
+}
+
+void Image::bind(const Device& device, VkDeviceMemory block, VkDeviceSize offset) {
+    check(device.vk.vkBindImageMemory(device.handle(), handle(), block, offset), "vkBindImageMemory");
+    view_ = create_view(device, handle(), desc_.format, aspect(), 0, desc_.mip_levels);
+    if (desc_.mip_levels > 1 && (desc_.usage & VK_IMAGE_USAGE_STORAGE_BIT)) {
+        for (std::uint32_t level = 0; level < desc_.mip_levels; ++level) {
+            mip_views_.push_back(create_view(device, handle(), desc_.format, aspect(), level, 1));
         }
     }
+}
+
+Image::Image(const Device& device, const ImageDesc& desc) : Image(unbound(device, desc)) {
+    memory_ = device.allocate(requirements(device), VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    bind(device, memory_.get(), 0);
 }
 
 VkImageAspectFlags Image::aspect() const noexcept {

@@ -39,6 +39,10 @@ class Buffer {
     Buffer() = default;
     /// `bytes` > 0; `usage` gets the transfer bits by itself.
     Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage, MemoryKind kind);
+    /// Without memory of its own: bind() gives it a part of a block, device local, before it is used.
+    [[nodiscard]] static Buffer unbound(const Device& device, std::size_t bytes, VkBufferUsageFlags usage);
+    [[nodiscard]] VkMemoryRequirements requirements(const Device& device) const;
+    void bind(const Device& device, VkDeviceMemory block, VkDeviceSize offset);
 
     [[nodiscard]] VkBuffer handle() const noexcept { return buffer_.get(); }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -72,6 +76,10 @@ class Image {
   public:
     Image() = default;
     Image(const Device& device, const ImageDesc& desc);
+    /// Without memory of its own: bind() gives it a part of a block, before it is used.
+    [[nodiscard]] static Image unbound(const Device& device, const ImageDesc& desc);
+    [[nodiscard]] VkMemoryRequirements requirements(const Device& device) const;
+    void bind(const Device& device, VkDeviceMemory block, VkDeviceSize offset);
 
     [[nodiscard]] VkImage handle() const noexcept { return image_.get(); }
     [[nodiscard]] VkImageView view() const noexcept { return view_.get(); }
