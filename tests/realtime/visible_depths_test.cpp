@@ -34,7 +34,8 @@ glm::vec2 depths(const scene::Camera& camera, const scene::Aabb& of) {
 
 }  // namespace
 
-// Down on a ground of 200 m that fills the picture: 30 degrees below the horizon, 40 degrees of field of view.
+// Down on a ground of 200 m that fills the picture: 30 degrees below the horizon, 40 degrees of field of
+// view.
 TEST(VisibleDepths, AGroundEndsWhereThePictureCutsItOff) {
     const scene::Camera camera =
         camera_at({0, 2, 0}, {0, 2 - std::tan(glm::radians(30.0f)), -1}, glm::radians(40.0f));

@@ -85,7 +85,9 @@ class Depths {
         if (!(range.x < range.y) || (range.x >= least_m && range.y <= most_m)) return;
         bool inside = range.x > frustum_.near_m && range.y < frustum_.far_m;
         for (const Plane& side : frustum_.sides) {
-            const auto within = [&](const glm::vec3& p) { return glm::dot(side, glm::vec4(p, 1.0f)) >= 0.0f; };
+            const auto within = [&](const glm::vec3& p) {
+                return glm::dot(side, glm::vec4(p, 1.0f)) >= 0.0f;
+            };
             if (std::none_of(corners.begin(), corners.end(), within)) return;
             inside = inside && std::all_of(corners.begin(), corners.end(), within);
         }
@@ -163,7 +165,8 @@ class Depths {
 glm::vec2 visible_depths_m(const scene::Camera& camera, float aspect, std::span<const scene::Aabb> boxes) {
     const Frustum frustum = frustum_of(camera, aspect);
     const glm::vec3 eye(camera.world[3]);
-    const glm::mat3 axes(glm::normalize(glm::vec3(camera.world[0])), glm::normalize(glm::vec3(camera.world[1])),
+    const glm::mat3 axes(glm::normalize(glm::vec3(camera.world[0])),
+                         glm::normalize(glm::vec3(camera.world[1])),
                          -glm::normalize(glm::vec3(camera.world[2])));
     glm::mat4 world_to_camera(glm::transpose(axes));
     world_to_camera[3] = glm::vec4(-glm::transpose(axes) * eye, 1.0f);
