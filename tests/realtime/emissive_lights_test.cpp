@@ -9,6 +9,7 @@
 
 #include "candela/realtime/emissive_cut.hpp"
 #include "candela/realtime/light_list.hpp"
+#include "common/contact_scenes.hpp"
 #include "common/scenes.hpp"
 
 using namespace candela;
@@ -155,6 +156,22 @@ TEST(EmissiveGroups, WindowsOfAStreetShineFromTheirFacades) {
     const float expected_lm = 100.0f * kPi * 1.5f * float(a_side);
     EXPECT_NEAR(left_lm, expected_lm, 1e-3f * expected_lm);
     EXPECT_NEAR(right_lm, expected_lm, 1e-3f * expected_lm);
+}
+
+// Closed boxes, 6 cm deep: no sphere stands before the wall, which would show as a spot.
+TEST(EmissiveGroups, WindowsThatAreBoxesDoToo) {
+    for (const int a_side : {8, 60}) {
+        scene::Scene s = street(a_side);
+        s.meshes[0].primitives[0] = box(glm::vec3(0.5f, 0.5f, 0.03f), 1);
+        float lm = 0.0f;
+        for (const realtime::EmissiveLight& light : realtime::emissive_lights(s)) {
+            EXPECT_EQ(light.block.color_type.w, float(scene::LightType::rectangle)) << a_side;
+            EXPECT_NEAR(std::abs(light.block.direction_a.x), 1.0f, 1e-3f) << "along the street";
+            lm += power_lm(light);
+        }
+        const float side_m2 = 1.5f + 0.06f * 2.5f;
+        EXPECT_NEAR(lm, 100.0f * kPi * 2.0f * side_m2 * 2.0f * float(a_side), 1e-3f * lm);
+    }
 }
 
 TEST(EmissiveGroups, ATessellatedPanelIsItsRectangleAndATessellatedDiskADisk) {

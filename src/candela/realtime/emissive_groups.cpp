@@ -141,6 +141,57 @@ Summary summary_of(const EmissivePart& part, std::size_t index) {
     return s;
 }
 
+/// Pieces that face one way.
+struct Face {
+    glm::vec3 normal;
+    std::vector<EmissivePiece> pieces;
+    float flux = 0.0f;
+};
+
+/// The faces of a box or of another body with few flat sides; none of a rounded one.
+std::vector<Face> flat_faces(const EmissivePart& part) {
+    constexpr std::size_t most_faces = 6;
+    std::vector<Face> faces;
+    for (const EmissivePiece& piece : part.pieces) {
+        if (piece.two_sided) return {};
+        const glm::vec3 vector = piece.vector_area();
+        const float area_m2 = glm::length(vector);
+        if (!(area_m2 > 0.0f)) continue;
+        const auto face = std::find_if(faces.begin(), faces.end(), [&](const Face& f) {
+            return glm::dot(f.normal, vector) > 0.999f * area_m2;
+        });
+        if (face == faces.end() && faces.size() == most_faces) return {};
+        Face& of = face != faces.end() ? *face : faces.emplace_back(Face{vector / area_m2, {}, 0.0f});
+        of.pieces.push_back(piece);
+        of.flux += area_m2 * shading::luminance(piece.nit);
+    }
+    return faces;
+}
+
+/// A lit window that is a box shines from its front, not from a sphere that would put a spot on the wall
+/// about it. Sides too narrow to matter (an eighth of the widest one) give their light to the others.
+std::vector<EmissivePart> split_into_faces(std::vector<EmissivePart> parts) {
+    std::vector<EmissivePart> out;
+    for (EmissivePart& part : parts) {
+        std::vector<Face> faces = flat_faces(part);
+        float all = 0.0f;
+        float widest = 0.0f;
+        for (const Face& f : faces) {
+            all += f.flux;
+            widest = std::max(widest, f.flux);
+        }
+        std::erase_if(faces, [=](const Face& f) { return f.flux < 0.125f * widest; });
+        if (faces.empty()) out.push_back(std::move(part));
+        float kept = 0.0f;
+        for (const Face& f : faces) kept += f.flux;
+        for (Face& f : faces) {
+            for (EmissivePiece& piece : f.pieces) piece.nit *= all / kept;
+            out.push_back({part.instance, part.material, std::move(f.pieces)});
+        }
+    }
+    return out;
+}
+
 std::vector<EmissiveGroup> split_from_the_top(const std::vector<EmissivePart>& parts,
                                               std::size_t max_groups) {
     std::vector<Summary> all;
@@ -219,6 +270,7 @@ std::optional<BoundingRectangle> bounding_rectangle(const EmissiveGroup& group) 
 }
 
 std::vector<EmissiveGroup> group_emissive(std::vector<EmissivePart> parts, std::size_t max_groups) {
+    parts = split_into_faces(std::move(parts));
     if (parts.size() > max_groups) return split_from_the_top(parts, max_groups);
     std::vector<EmissiveGroup> groups;
     for (EmissivePart& part : parts) groups.emplace_back(std::move(part.pieces));

@@ -33,10 +33,10 @@ struct BoundingRectangle {
 /// The smallest one with a side along an edge of some piece; none for a group that is not flat.
 [[nodiscard]] std::optional<BoundingRectangle> bounding_rectangle(const EmissiveGroup& group);
 
-/// Puts the pieces of all parts into at most max_groups groups. With few parts each is a group, cut in halves
-/// where it is long. Many parts are split from the top, like a light tree (Conty Estevez & Kulla 2018): what
-/// has the largest flux times extent first, by the way that its parts face where they face apart, else in
-/// space. So no group holds both sides of a street.
+/// Puts the pieces of all parts into at most max_groups groups. A body with few flat sides is taken for its
+/// sides. With few parts each is a group, cut in halves where it is long. Many parts are split from the top,
+/// like a light tree (Conty Estevez & Kulla 2018): what has the largest flux times extent first, by the way
+/// that its parts face where they face apart, else in space. So no group holds both sides of a street.
 [[nodiscard]] std::vector<EmissiveGroup> group_emissive(std::vector<EmissivePart> parts,
                                                         std::size_t max_groups);
 
