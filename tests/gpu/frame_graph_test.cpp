@@ -48,31 +48,31 @@ using Order = std::vector<std::uint32_t>;
 }  // namespace
 
 TEST(Schedule, WritersComeBeforeReadersWhateverTheirDeclaration) {
-    const std::vector<PassAccesses> passes{pass("present", {reads(1, 2), writes(2, 0)}),
-                                           pass("fog", {changes(1, 1), reads(0, 1)}),
-                                           pass("lighting", {reads(0, 1), writes(1, 0)}),
-                                           pass("gbuffer", {writes(0, 0)})};
+    const std::vector<PassAccesses> passes{
+        pass("present", {reads(1, 2), writes(2, 0)}), pass("fog", {changes(1, 1), reads(0, 1)}),
+        pass("lighting", {reads(0, 1), writes(1, 0)}), pass("gbuffer", {writes(0, 0)})};
     EXPECT_EQ(schedule(passes, kResources, std::vector<Contents>{{2, 1}}), (Order{3, 2, 1, 0}));
 }
 
 TEST(Schedule, ContentsAreReadBeforeTheyAreWrittenOver) {
-    const std::vector<PassAccesses> passes{
-        pass("lighting", {writes(1, 0)}), pass("fog", {changes(1, 1)}), pass("meter", {reads(1, 1), writes(0, 0)}),
-        pass("present", {reads(1, 2), reads(0, 1), writes(2, 0)})};
+    const std::vector<PassAccesses> passes{pass("lighting", {writes(1, 0)}), pass("fog", {changes(1, 1)}),
+                                           pass("meter", {reads(1, 1), writes(0, 0)}),
+                                           pass("present", {reads(1, 2), reads(0, 1), writes(2, 0)})};
     EXPECT_EQ(schedule(passes, kResources, std::vector<Contents>{{2, 1}}), (Order{0, 2, 1, 3}));
 }
 
 TEST(Schedule, WhatNobodyReadsIsDropped) {
-    const std::vector<PassAccesses> passes{
-        pass("gbuffer", {writes(0, 0)}), pass("occlusion", {reads(0, 1), writes(1, 0)}),
-        pass("present", {reads(0, 1), reads(3, 0), writes(2, 0)})};
+    const std::vector<PassAccesses> passes{pass("gbuffer", {writes(0, 0)}),
+                                           pass("occlusion", {reads(0, 1), writes(1, 0)}),
+                                           pass("present", {reads(0, 1), reads(3, 0), writes(2, 0)})};
     EXPECT_EQ(schedule(passes, kResources, std::vector<Contents>{{2, 1}}), (Order{0, 2}));
 }
 
 TEST(Schedule, ReadingWhatNobodyWroteIsRefused) {
     const std::string line = refusal({pass("present", {reads(1, 0), writes(2, 0)})}, {{2, 1}});
     EXPECT_EQ(line, "frame graph: nothing writes \"light\" before \"present\" reads it");
-    EXPECT_EQ(refusal({}, {{2, 0}}), "frame graph: nothing writes \"picture\" before \"the caller\" reads it");
+    EXPECT_EQ(refusal({}, {{2, 0}}),
+              "frame graph: nothing writes \"picture\" before \"the caller\" reads it");
 }
 
 TEST(Schedule, TwoWritersWithoutAnOrderAreRefused) {
@@ -136,8 +136,8 @@ class Graph : public ::testing::Test {
         {{{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}}, sizeof(FillBlock)});
 
     /// A pass that writes `plus` and what `from` holds.
-    ImageRef add(FrameGraph& graph, const std::string& name, const ImageRef& from, const ImageRef& to, float plus,
-                 bool history = false) {
+    ImageRef add(FrameGraph& graph, const std::string& name, const ImageRef& from, const ImageRef& to,
+                 float plus, bool history = false) {
         PassBuilder builder = graph.pass(name);
         builder.read(from);
         const ImageRef out = builder.write(to);

@@ -31,22 +31,26 @@ ClassifyPass::ClassifyPass(const gpu::Device& device, const FrameResources& fram
     for (glm::uvec4& arguments : empty_lists_.mapped_as<glm::uvec4>()) arguments = glm::uvec4(0, 1, 1, 0);
 }
 
-std::size_t ClassifyPass::tile_buffer_bytes(std::uint32_t tiles) {
-    return kArgumentBytes + std::size_t{kShadingClasses} * tiles * sizeof(std::uint32_t);
-}
-
-void ClassifyPass::record(gpu::Commands& commands, FrameResources& frame) const {
-    commands.begin_pass("classify");
-    commands.copy(empty_lists_, frame.tiles, kArgumentBytes);
-    commands.use(frame.gbuffer, gpu::Use::sampled);
-    commands.use(frame.depth, gpu::Use::sampled);
-    commands.use(frame.tiles, gpu::Use::storage_write);
-    commands.use(frame.tile_bounds, gpu::Use::storage_write);
-    const std::array bindings{gpu::bind_buffer(frame.frame_block),
-                              gpu::bind_sampled(frame.gbuffer.view(), frame.nearest.get()),
-                              gpu::bind_sampled(frame.depth.view(), frame.nearest.get()),
-                              gpu::bind_buffer(frame.tiles), gpu::bind_buffer(frame.tile_bounds)};
-    commands.dispatch(pipeline_, bindings, {}, groups(frame.tile_count(), 64));
+Tiles ClassifyPass::add(const FrameBuild& build, const Surfaces& surfaces) const {
+    FrameResources& frame = build.frame;
+    const std::size_t lists = std::size_t{kShadingClasses} * frame.tile_count() * sizeof(std::uint32_t);
+    const std::size_t boxes = frame.culled_lights ? frame.tile_count() : 1;
+    gpu::PassBuilder pass = build.graph.pass("classify");
+    pass.read(surfaces.gbuffer);
+    pass.read(surfaces.depth);
+    const Tiles tiles{pass.write(build.graph.create("tiles", kArgumentBytes + lists)),
+                      pass.write(build.graph.create("bounds of tiles", boxes * 2 * sizeof(glm::vec4)))};
+    pass.record([this, &frame, surfaces, tiles](gpu::PassContext& c) {
+        c.commands.copy(empty_lists_, c.buffer(tiles.lists), kArgumentBytes);
+        c.commands.use(c.buffer(tiles.lists), gpu::Use::storage_write);
+        const std::array bindings{gpu::bind_buffer(frame.frame_block),
+                                  gpu::bind_sampled(c.image(surfaces.gbuffer).view(), frame.nearest.get()),
+                                  gpu::bind_sampled(c.image(surfaces.depth).view(), frame.nearest.get()),
+                                  gpu::bind_buffer(c.buffer(tiles.lists)),
+                                  gpu::bind_buffer(c.buffer(tiles.bounds))};
+        c.commands.dispatch(pipeline_, bindings, {}, groups(frame.tile_count(), 64));
+    });
+    return tiles;
 }
 
 }  // namespace candela::realtime

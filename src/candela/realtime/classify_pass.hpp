@@ -1,6 +1,6 @@
 #pragma once
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -8,10 +8,7 @@ namespace candela::realtime {
 class ClassifyPass {
   public:
     ClassifyPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
-    void record(gpu::Commands& commands, FrameResources& frame) const;
-
-    /// Bytes of FrameResources::tiles for this many tiles.
-    [[nodiscard]] static std::size_t tile_buffer_bytes(std::uint32_t tiles);
+    [[nodiscard]] Tiles add(const FrameBuild& build, const Surfaces& surfaces) const;
 
   private:
     gpu::ComputePipeline pipeline_;

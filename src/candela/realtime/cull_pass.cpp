@@ -59,9 +59,6 @@ void create_light_lists(const gpu::Device& device, gpu::Commands& commands, cons
     std::copy(all.begin(), all.end(), words.begin() + places.first_all);
     frame.light_lists = gpu::upload_buffer(device, commands, std::as_bytes(std::span(words)),
                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    const std::size_t boxes = frame.culled_lights ? frame.tile_count() : 1;
-    frame.tile_bounds = gpu::Buffer(device, boxes * 2 * sizeof(glm::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                    gpu::MemoryKind::device);
 }
 
 CullPass::CullPass(const gpu::Device& device, const FrameResources& frame)
@@ -72,19 +69,28 @@ CullPass::CullPass(const gpu::Device& device, const FrameResources& frame)
     if (frame.light_places.cells.x > 0) cells_ = pipeline(device, true);
 }
 
-void CullPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {
-    if (!tiles_) return;
-    commands.begin_pass("cull lights");
-    commands.copy(zero_, frame.light_lists, sizeof(std::uint32_t));
-    commands.use(scene.light_reaches, gpu::Use::storage_read);
-    commands.use(frame.tile_bounds, gpu::Use::storage_read);
-    commands.use(frame.light_lists, gpu::Use::storage_write);
-    const std::array bindings{gpu::bind_buffer(frame.frame_block), gpu::bind_buffer(scene.light_reaches),
-                              gpu::bind_buffer(frame.tile_bounds), gpu::bind_buffer(frame.light_lists)};
-    commands.dispatch(*tiles_, bindings, {}, groups(frame.tiles_x, 8), groups(frame.tiles_y, 8));
-    if (!cells_) return;
-    const glm::uvec3 cells(frame.light_places.cells);
-    commands.dispatch(*cells_, bindings, {}, groups(cells.x, 4), groups(cells.y, 4), groups(cells.z, 4));
+gpu::BufferRef CullPass::add(const FrameBuild& build, const Tiles& tiles) const {
+    if (!tiles_) return build.in.light_lists;
+    FrameResources& frame = build.frame;
+    GpuScene& scene = build.scene;
+    gpu::PassBuilder pass = build.graph.pass("cull lights");
+    pass.read(build.in.light_reaches);
+    pass.read(tiles.bounds);
+    // The list of all lights stays.
+    const gpu::BufferRef lists = pass.write(build.in.light_lists, gpu::Load::keep);
+    pass.record([this, &frame, &scene, tiles](gpu::PassContext& c) {
+        c.commands.copy(zero_, frame.light_lists, sizeof(std::uint32_t));
+        c.commands.use(frame.light_lists, gpu::Use::storage_write);
+        const std::array bindings{gpu::bind_buffer(frame.frame_block), gpu::bind_buffer(scene.light_reaches),
+                                  gpu::bind_buffer(c.buffer(tiles.bounds)),
+                                  gpu::bind_buffer(frame.light_lists)};
+        c.commands.dispatch(*tiles_, bindings, {}, groups(frame.tiles_x, 8), groups(frame.tiles_y, 8));
+        if (!cells_) return;
+        const glm::uvec3 cells(frame.light_places.cells);
+        c.commands.dispatch(*cells_, bindings, {}, groups(cells.x, 4), groups(cells.y, 4),
+                            groups(cells.z, 4));
+    });
+    return lists;
 }
 
 }  // namespace candela::realtime

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -21,11 +21,12 @@ void create_light_lists(const gpu::Device& device, gpu::Commands& commands, cons
                         bool wanted, FrameResources& frame);
 
 /// Between classify and lighting: which lights reach each tile of opaque surfaces and, where there are
-/// blended surfaces, each cell of the space before the camera. Records nothing when no lists are made.
+/// blended surfaces, each cell of the space before the camera. No pass when no lists are made.
 class CullPass {
   public:
     CullPass(const gpu::Device& device, const FrameResources& frame);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const;
+    /// The lists of lights.
+    [[nodiscard]] gpu::BufferRef add(const FrameBuild& build, const Tiles& tiles) const;
 
   private:
     std::optional<gpu::ComputePipeline> tiles_;

@@ -43,18 +43,27 @@ ForwardPass::ForwardPass(const gpu::Device& device, const FrameResources& frame,
     pipelines_.prepare(frame, scene, true);
 }
 
-void ForwardPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene,
-                         const glm::vec3& eye, const glm::vec3& backward) {
-    if (order_.empty()) return;
-    order_.sort(scene, eye, backward);
-    commands.begin_pass("forward");
-    use_shading_inputs(commands, frame, scene);
-    const VkDescriptorSet set =
-        commands.descriptors().allocate(pipelines_.layout(), 0, shading_bindings(frame, scene));
-    const std::array targets{gpu::ColorTarget{&frame.light}, gpu::ColorTarget{&frame.unlit}};
-    commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth});
-    pipelines_.draw(commands, scene.vertices, order_.indices(), order_.draws(), set);
-    commands.end_rendering();
+Lit ForwardPass::add(const FrameBuild& build, const Surfaces& surfaces, Lit lit) {
+    if (order_.empty()) return lit;
+    FrameResources& frame = build.frame;
+    GpuScene& scene = build.scene;
+    const FrameView& view = build.view;
+    gpu::PassBuilder pass = build.graph.pass("forward");
+    read_shading_inputs(pass, build.in);
+    pass.read(build.in.vertices, gpu::Use::vertex_input);
+    lit.light = pass.color(lit.light, gpu::Load::keep);
+    lit.unlit = pass.color(lit.unlit, gpu::Load::keep);
+    (void)pass.depth(surfaces.depth, gpu::Load::keep);
+    pass.record([this, &frame, &scene, &view](gpu::PassContext& c) {
+        const glm::mat4& camera = view.camera->world;
+        order_.sort(scene, glm::vec3(camera[3]), glm::normalize(glm::vec3(camera[2])));
+        const VkDescriptorSet set =
+            c.commands.descriptors().allocate(pipelines_.layout(), 0, shading_bindings(frame, scene));
+        c.begin_rendering();
+        pipelines_.draw(c.commands, scene.vertices, order_.indices(), order_.draws(), set);
+        c.commands.end_rendering();
+    });
+    return lit;
 }
 
 }  // namespace candela::realtime

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "candela/realtime/blend_order.hpp"
+#include "candela/realtime/frame.hpp"
 #include "candela/realtime/mesh_pipelines.hpp"
 
 namespace candela::realtime {
@@ -9,8 +10,7 @@ namespace candela::realtime {
 class ForwardPass {
   public:
     ForwardPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene, const glm::vec3& eye,
-                const glm::vec3& backward);
+    [[nodiscard]] Lit add(const FrameBuild& build, const Surfaces& surfaces, Lit lit);
 
   private:
     MeshPipelines pipelines_;

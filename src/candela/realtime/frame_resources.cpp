@@ -48,21 +48,4 @@ std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const Gp
             gpu::bind_sampled(frame.local.atlas.view(), frame.clamp.get())};
 }
 
-void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) {
-    commands.use(scene.lights, gpu::Use::storage_read);
-    commands.use(frame.light_lists, gpu::Use::storage_read);
-    commands.use(scene.light_tables, gpu::Use::storage_read);
-    commands.use(frame.ltc, gpu::Use::sampled);
-    commands.use(frame.dfg, gpu::Use::sampled);
-    commands.use(frame.environment.specular, gpu::Use::sampled);
-    commands.use(frame.environment.irradiance, gpu::Use::sampled);
-    commands.use(frame.environment.background, gpu::Use::sampled);
-    commands.use(frame.integrate_tables.buffer, gpu::Use::storage_read);
-    commands.use(frame.shadow_records, gpu::Use::storage_read);
-    commands.use(frame.shadow_atlas, gpu::Use::sampled);
-    commands.use(frame.visibilities, gpu::Use::storage_read);
-    commands.use(frame.local.buffer, gpu::Use::storage_read);
-    commands.use(frame.local.atlas, gpu::Use::sampled);
-}
-
 }  // namespace candela::realtime

@@ -73,8 +73,8 @@ enum class Aov : std::uint8_t {
 inline constexpr std::size_t kLightingAovs = 5;
 inline constexpr std::size_t kAovCount = 8;
 
-/// Everything the passes of a frame share. Made by the Renderer, filled by the passes in the order of the
-/// frame.
+/// What the passes of a frame share and what lives longer than one. Made by the Renderer. What lives within a
+/// frame is in its graph (frame.hpp).
 struct FrameResources {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -91,26 +91,16 @@ struct FrameResources {
     bool all_targets = false;        ///< the G-buffer pass also writes emission, layers and ids
     bool normal_mapped = false;      ///< and the normals without maps
 
-    gpu::Buffer frame_block;  ///< FrameBlock, host visible
-    gpu::Image gbuffer;
-    gpu::Image layers;           ///< 1 x 1 without all_targets
-    gpu::Image ids;              ///< 1 x 1 without all_targets
-    gpu::Image surface_normals;  ///< octahedral, of the vertices alone; 1 x 1 without normal_mapped
-    gpu::Image depth;
-    gpu::Image light;  ///< pre-exposed; alpha: the fraction of a pixel that unlit surfaces leave
-    gpu::Image
-        unlit;  ///< their colours, display-linear, times the rest; 1 x 1 without unlit and blended draws
-    gpu::Buffer tiles;
+    gpu::Buffer frame_block;     ///< FrameBlock, host visible
     bool culled_lights = false;  ///< tiles and cells have lists of their own
     LightListPlaces light_places;
     gpu::Buffer light_lists;
-    gpu::Buffer
-        tile_bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
-    gpu::Image shadow_atlas;      ///< 1 x 1 without shadows; reversed depth, one tile a view of a light
-    gpu::Buffer shadow_records;   ///< ShadowRecord, host visible
-    gpu::Image shadow_receivers;  ///< shaders/shadow_receivers.glsl; 1 x 1 without shadows
+    gpu::Image shadow_atlas;     ///< 1 x 1 without shadows; reversed depth, one tile a view of a light
+    gpu::Buffer shadow_records;  ///< ShadowRecord, host visible
     gpu::Buffer visibilities;  ///< a byte a pixel and light: tiles of 64 bytes, of one light after the other
-    std::array<gpu::Image, kAovCount> aovs;  ///< 1 x 1 without AOVs
+
+    gpu::Image no_layers;   ///< 1 x 1, bound where the frame has none
+    gpu::Image no_normals;  ///< the same
 
     gpu::Image dfg;
     gpu::Image ltc;  ///< 1 x 1 without area lights
@@ -145,8 +135,6 @@ struct ShadeVariant {
 /// Descriptor types and bindings 0...14 of set 0, which the lighting and the forward pass share.
 [[nodiscard]] std::vector<VkDescriptorType> shading_set_layout();
 [[nodiscard]] std::vector<gpu::Binding> shading_bindings(const FrameResources& frame, const GpuScene& scene);
-/// Declares the use of what shading_bindings() names.
-void use_shading_inputs(gpu::Commands& commands, FrameResources& frame, GpuScene& scene);
 
 /// Work groups of `group` that cover `size`.
 [[nodiscard]] constexpr std::uint32_t groups(std::uint32_t size, std::uint32_t group) {

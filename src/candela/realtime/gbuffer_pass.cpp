@@ -36,30 +36,52 @@ GBufferPass::GBufferPass(const gpu::Device& device, const FrameResources& frame,
     pipelines_.prepare(frame, scene, false);
 }
 
-void GBufferPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {
-    commands.begin_pass("gbuffer");
-    const std::array bindings{gpu::bind_buffer(frame.frame_block)};
-    const VkDescriptorSet set = commands.descriptors().allocate(pipelines_.layout(), 0, bindings);
+Surfaces GBufferPass::add(const FrameBuild& build) const {
+    FrameResources& frame = build.frame;
+    GpuScene& scene = build.scene;
+    Surfaces s;
+    s.layers = build.in.no_layers;
+    s.normals = build.in.no_normals;
+    gpu::PassBuilder pass = build.graph.pass("gbuffer");
     // Texels are read only where depth says that something was drawn; just the ids are shown everywhere.
-    std::vector<gpu::ColorTarget> targets{{&frame.gbuffer, gpu::Load::discard}};
+    s.gbuffer = pass.color(build.graph.create("gbuffer", build.image(kGBufferFormat)), gpu::Load::discard);
+    s.light = build.graph.create("light", build.image(frame.light_format()));
     if (frame.all_targets) {
-        targets.push_back({&frame.light, gpu::Load::discard});
-        targets.push_back({&frame.layers, gpu::Load::discard});
-        targets.push_back({&frame.ids, gpu::Load::clear});
+        s.light = pass.color(s.light, gpu::Load::discard);
+        s.layers = pass.color(build.graph.create("layers", build.image(kGBufferFormat)), gpu::Load::discard);
+        s.ids = pass.color(build.graph.create("ids", build.image(kIdFormat)), gpu::Load::clear);
     }
     // Shadow receivers compare neighbours, also those that no surface covers.
-    if (frame.normal_mapped) targets.push_back({&frame.surface_normals, gpu::Load::clear});
-    if (scene.vertices) {
-        commands.use(scene.vertices, gpu::Use::vertex_input);
-        commands.use(scene.indices, gpu::Use::vertex_input);
+    if (frame.normal_mapped)
+        s.normals =
+            pass.color(build.graph.create("normals", build.image(kSurfaceNormalFormat)), gpu::Load::clear);
+    s.depth = pass.depth(build.graph.create("depth", build.image(kDepthFormat)), gpu::Load::clear);
+    pass.read(build.in.vertices, gpu::Use::vertex_input);
+    pass.read(build.in.indices, gpu::Use::vertex_input);
+    pass.record([this, &frame, &scene](gpu::PassContext& c) {
+        const std::array bindings{gpu::bind_buffer(frame.frame_block)};
+        const VkDescriptorSet set = c.commands.descriptors().allocate(pipelines_.layout(), 0, bindings);
+        std::vector<const Draw*> draws;
+        for (const Draw& draw : scene.draws) {
+            if (!draw.blended) draws.push_back(&draw);
+        }
+        c.begin_rendering();
+        pipelines_.draw(c.commands, scene.vertices, scene.indices, draws, set);
+        c.commands.end_rendering();
+    });
+
+    const bool unlit = scene.any_unlit || scene.any_blended;
+    s.unlit =
+        build.graph.create("unlit", unlit ? build.image(kUnlitFormat) : gpu::ImageDesc{1, 1, kUnlitFormat});
+    if (unlit) {
+        gpu::PassBuilder clear = build.graph.pass("clear unlit");
+        s.unlit = clear.color(s.unlit, gpu::Load::clear);
+        clear.record([](gpu::PassContext& c) {
+            c.begin_rendering();
+            c.commands.end_rendering();
+        });
     }
-    std::vector<const Draw*> draws;
-    for (const Draw& draw : scene.draws) {
-        if (!draw.blended) draws.push_back(&draw);
-    }
-    commands.begin_rendering(targets, gpu::DepthTarget{&frame.depth, gpu::Load::clear});
-    pipelines_.draw(commands, scene.vertices, scene.indices, draws, set);
-    commands.end_rendering();
+    return s;
 }
 
 }  // namespace candela::realtime

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "candela/realtime/frame.hpp"
 #include "candela/realtime/mesh_pipelines.hpp"
 
 namespace candela::realtime {
@@ -9,7 +10,8 @@ namespace candela::realtime {
 class GBufferPass {
   public:
     GBufferPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const;
+    /// With the unlit colours cleared, which surfaces are drawn into later.
+    [[nodiscard]] Surfaces add(const FrameBuild& build) const;
 
   private:
     MeshPipelines pipelines_;

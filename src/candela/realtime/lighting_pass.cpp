@@ -65,34 +65,48 @@ LightingPass::LightingPass(const gpu::Device& device, const FrameResources& fram
     if (frame.write_aovs || scene.any_unlit) add(ShadingClass::unlit);
 }
 
-void LightingPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const {
-    commands.begin_pass("lighting");
-    use_shading_inputs(commands, frame, scene);
-    commands.use(frame.gbuffer, gpu::Use::sampled);
-    commands.use(frame.layers, gpu::Use::sampled);
-    commands.use(frame.surface_normals, gpu::Use::sampled);
-    commands.use(frame.depth, gpu::Use::sampled);
-    commands.use(frame.light, gpu::Use::storage_write);
-    commands.use(frame.unlit, gpu::Use::storage_write);
-    for (gpu::Image& aov : frame.aovs) commands.use(aov, gpu::Use::storage_write);
-    commands.use(frame.tiles, gpu::Use::indirect_and_storage_read);
-
-    std::vector<gpu::Binding> bindings = shading_bindings(frame, scene);
-    bindings.push_back(gpu::bind_sampled(frame.gbuffer.view(), frame.nearest.get()));
-    bindings.push_back(gpu::bind_sampled(frame.layers.view(), frame.nearest.get()));
-    bindings.push_back(gpu::bind_sampled(frame.depth.view(), frame.nearest.get()));
-    bindings.push_back(gpu::bind_storage(frame.light.view()));
-    bindings.push_back(gpu::bind_buffer(frame.tiles));
-    for (std::size_t i = 0; i < kLightingAovs; ++i)
-        bindings.push_back(gpu::bind_storage(frame.aovs[i].view()));
-    bindings.push_back(gpu::bind_storage(frame.unlit.view()));
-    bindings.push_back(gpu::bind_sampled(frame.surface_normals.view(), frame.nearest.get()));
-
-    for (const ClassPipeline& p : pipelines_) {
-        const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
-        commands.begin_pass(pass_name(p.shading_class, frame.integrate.has_value()));
-        commands.dispatch_indirect(p.pipeline, bindings, {}, frame.tiles, arguments);
+Lit LightingPass::add(const FrameBuild& build, const Surfaces& surfaces, const Tiles& tiles) const {
+    FrameResources& frame = build.frame;
+    GpuScene& scene = build.scene;
+    gpu::PassBuilder pass = build.graph.pass("lighting");
+    read_shading_inputs(pass, build.in);
+    for (const gpu::ImageRef& image : {surfaces.gbuffer, surfaces.layers, surfaces.normals, surfaces.depth})
+        pass.read(image);
+    pass.read(tiles.lists, gpu::Use::indirect_and_storage_read);
+    const auto kept = [](const gpu::ImageRef& image) {
+        return image.version > 0 ? gpu::Load::keep : gpu::Load::discard;
+    };
+    Lit lit;
+    lit.light = pass.write(surfaces.light, kept(surfaces.light));
+    lit.unlit = pass.write(surfaces.unlit, kept(surfaces.unlit));
+    for (std::size_t i = 0; i < kAovCount; ++i) {
+        lit.aovs[i] = build.graph.create(
+            "aov " + std::to_string(i),
+            frame.write_aovs ? build.image(kPictureFormat) : gpu::ImageDesc{1, 1, kPictureFormat});
+        if (i < kLightingAovs) lit.aovs[i] = pass.write(lit.aovs[i]);
     }
+    pass.times_itself();
+    pass.record([this, &frame, &scene, surfaces, tiles, lit](gpu::PassContext& c) {
+        std::vector<gpu::Binding> bindings = shading_bindings(frame, scene);
+        const auto sampled = [&](const gpu::ImageRef& image) {
+            bindings.push_back(gpu::bind_sampled(c.image(image).view(), frame.nearest.get()));
+        };
+        sampled(surfaces.gbuffer);
+        sampled(surfaces.layers);
+        sampled(surfaces.depth);
+        bindings.push_back(gpu::bind_storage(c.image(lit.light).view()));
+        bindings.push_back(gpu::bind_buffer(c.buffer(tiles.lists)));
+        for (std::size_t i = 0; i < kLightingAovs; ++i)
+            bindings.push_back(gpu::bind_storage(c.image(lit.aovs[i]).view()));
+        bindings.push_back(gpu::bind_storage(c.image(lit.unlit).view()));
+        sampled(surfaces.normals);
+        for (const ClassPipeline& p : pipelines_) {
+            const VkDeviceSize arguments = static_cast<std::uint32_t>(p.shading_class) * sizeof(glm::uvec4);
+            c.commands.begin_pass(pass_name(p.shading_class, frame.integrate.has_value()));
+            c.commands.dispatch_indirect(p.pipeline, bindings, {}, c.buffer(tiles.lists), arguments);
+        }
+    });
+    return lit;
 }
 
 }  // namespace candela::realtime

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -11,7 +11,7 @@ namespace candela::realtime {
 class LightingPass {
   public:
     LightingPass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const;
+    [[nodiscard]] Lit add(const FrameBuild& build, const Surfaces& surfaces, const Tiles& tiles) const;
 
   private:
     struct ClassPipeline {

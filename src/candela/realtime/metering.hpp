@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -12,7 +12,7 @@ namespace candela::realtime {
 class MeteringPass {
   public:
     explicit MeteringPass(const gpu::Device& device);
-    void record(gpu::Commands& commands, FrameResources& frame) const;
+    void add(const FrameBuild& build, const Lit& lit) const;
 
     /// Bins of the last submitted frame; only after the device has finished it.
     [[nodiscard]] std::span<const std::uint32_t> bins() const;

@@ -66,46 +66,75 @@ PicturePass::PicturePass(const gpu::Device& device, const FrameResources& frame)
     for (gpu::Image& sum : aov_sums_) sum = picture_image(device, frame);
 }
 
-void PicturePass::record(gpu::Commands& commands, FrameResources& frame, float nit_per_unit, bool first) {
-    const auto add = [&](gpu::Image& from, gpu::Image& sum, float scale) {
-        commands.use(from, gpu::Use::sampled);
-        commands.use(sum, gpu::Use::storage_write);
-        const AccumulateBlock block{{frame.width, frame.height}, scale, first ? 1 : 0};
-        const std::array bindings{gpu::bind_sampled(from.view(), frame.nearest.get()),
-                                  gpu::bind_storage(sum.view())};
-        commands.dispatch(accumulate_, bindings, gpu::push(block), groups(frame.width, 8),
-                          groups(frame.height, 8));
-    };
-    commands.begin_pass("accumulate");
-    add(frame.light, sum_, nit_per_unit);
-    if (frame.has_unlit) add(frame.unlit, unlit_sum_, 1.0f);
-    if (!frame.write_aovs) return;
-
-    commands.begin_pass("aovs");
-    commands.use(frame.gbuffer, gpu::Use::sampled);
-    commands.use(frame.depth, gpu::Use::sampled);
-    std::vector<gpu::Binding> bindings{gpu::bind_buffer(frame.frame_block),
-                                       gpu::bind_sampled(frame.gbuffer.view(), frame.nearest.get()),
-                                       gpu::bind_sampled(frame.depth.view(), frame.nearest.get())};
-    for (const Aov aov : {Aov::albedo, Aov::normal, Aov::distance}) {
-        gpu::Image& image = frame.aovs[static_cast<std::size_t>(aov)];
-        commands.use(image, gpu::Use::storage_write);
-        bindings.push_back(gpu::bind_storage(image.view()));
-    }
-    commands.dispatch(unpack_, bindings, {}, groups(frame.width, 8), groups(frame.height, 8));
-    for (std::size_t i = 0; i < kAovCount; ++i) add(frame.aovs[i], aov_sums_[i], 1.0f);
+void PicturePass::accumulate(gpu::PassContext& c, const FrameBuild& build, gpu::Image& from, gpu::Image& sum,
+                             float scale) const {
+    const FrameResources& frame = build.frame;
+    const AccumulateBlock block{{frame.width, frame.height}, scale, build.view.first_sample ? 1 : 0};
+    const std::array bindings{gpu::bind_sampled(from.view(), frame.nearest.get()),
+                              gpu::bind_storage(sum.view())};
+    c.commands.dispatch(accumulate_, bindings, gpu::push(block), groups(frame.width, 8),
+                        groups(frame.height, 8));
 }
 
-PicturePass::Planes PicturePass::read(gpu::Commands& commands, FrameResources& frame, std::uint32_t samples) {
+void PicturePass::add(const FrameBuild& build, const Surfaces& surfaces, const Lit& lit) {
+    FrameResources& frame = build.frame;
+    gpu::FrameGraph& graph = build.graph;
+    gpu::PassBuilder pass = graph.pass("accumulate");
+    // What the samples before have added.
+    const auto sum = [&](gpu::PassBuilder& p, const std::string& name, gpu::Image& image) {
+        graph.keep(p.write(graph.import(name, image), gpu::Load::keep));
+    };
+    pass.read(lit.light);
+    sum(pass, "sum of light", sum_);
+    if (frame.has_unlit) {
+        pass.read(lit.unlit);
+        sum(pass, "sum of unlit", unlit_sum_);
+    }
+    pass.record([this, build, lit](gpu::PassContext& c) {
+        accumulate(c, build, c.image(lit.light), sum_, build.view.nit_per_unit);
+        if (build.frame.has_unlit) accumulate(c, build, c.image(lit.unlit), unlit_sum_, 1.0f);
+    });
+    if (!frame.write_aovs) return;
+
+    ids_ = surfaces.ids;
+    graph.keep(ids_);
+    std::array<gpu::ImageRef, kAovCount> aovs = lit.aovs;
+    gpu::PassBuilder unpack = graph.pass("unpack aovs");
+    unpack.read(surfaces.gbuffer);
+    unpack.read(surfaces.depth);
+    for (const Aov aov : {Aov::albedo, Aov::normal, Aov::distance}) {
+        gpu::ImageRef& image = aovs[static_cast<std::size_t>(aov)];
+        image = unpack.write(image);
+    }
+    unpack.record([this, &frame, surfaces, aovs](gpu::PassContext& c) {
+        std::vector<gpu::Binding> bindings{
+            gpu::bind_buffer(frame.frame_block),
+            gpu::bind_sampled(c.image(surfaces.gbuffer).view(), frame.nearest.get()),
+            gpu::bind_sampled(c.image(surfaces.depth).view(), frame.nearest.get())};
+        for (const Aov aov : {Aov::albedo, Aov::normal, Aov::distance})
+            bindings.push_back(gpu::bind_storage(c.image(aovs[static_cast<std::size_t>(aov)]).view()));
+        c.commands.dispatch(unpack_, bindings, {}, groups(frame.width, 8), groups(frame.height, 8));
+    });
+    gpu::PassBuilder add = graph.pass("accumulate aovs");
+    for (std::size_t i = 0; i < kAovCount; ++i) {
+        add.read(aovs[i]);
+        sum(add, "sum of aov " + std::to_string(i), aov_sums_[i]);
+    }
+    add.record([this, build, aovs](gpu::PassContext& c) {
+        for (std::size_t i = 0; i < kAovCount; ++i)
+            accumulate(c, build, c.image(aovs[i]), aov_sums_[i], 1.0f);
+    });
+}
+
+PicturePass::Planes PicturePass::read(gpu::Commands& commands, gpu::FrameGraph& graph,
+                                      std::uint32_t samples) {
     Planes planes;
     planes.light_nit = read_mean(*device_, commands, sum_, samples);
-    if (frame.has_unlit) planes.unlit = read_mean(*device_, commands, unlit_sum_, samples);
-    if (frame.write_aovs) {
-        for (std::size_t i = 0; i < kAovCount; ++i) {
-            planes.aovs[i] = read_mean(*device_, commands, aov_sums_[i], samples);
-        }
-        planes.ids = read_image<glm::uvec2>(*device_, commands, frame.ids);
-    }
+    if (unlit_sum_) planes.unlit = read_mean(*device_, commands, unlit_sum_, samples);
+    if (ids_.version == 0) return planes;
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        planes.aovs[i] = read_mean(*device_, commands, aov_sums_[i], samples);
+    planes.ids = read_image<glm::uvec2>(*device_, commands, graph.image(ids_));
     return planes;
 }
 
@@ -118,16 +147,21 @@ PresentPass::PresentPass(const gpu::Device& device, const FrameResources& frame,
           {tone_curve})),
       display_(device, {frame.width, frame.height, VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT}) {}
 
-void PresentPass::record(gpu::Commands& commands, FrameResources& frame, float exposure_change) {
-    commands.begin_pass("present");
-    commands.use(frame.light, gpu::Use::sampled);
-    commands.use(frame.unlit, gpu::Use::sampled);
-    commands.use(display_, gpu::Use::storage_write);
-    const std::array bindings{
-        gpu::bind_buffer(frame.frame_block), gpu::bind_sampled(frame.light.view(), frame.nearest.get()),
-        gpu::bind_storage(display_.view()), gpu::bind_sampled(frame.unlit.view(), frame.nearest.get())};
-    const PresentBlock block{exposure_change, frame.has_unlit ? 1 : 0};
-    commands.dispatch(pipeline_, bindings, gpu::push(block), groups(frame.width, 8), groups(frame.height, 8));
+void PresentPass::add(const FrameBuild& build, const Lit& lit) {
+    FrameResources& frame = build.frame;
+    gpu::PassBuilder pass = build.graph.pass("present");
+    pass.read(lit.light);
+    pass.read(lit.unlit);
+    build.graph.keep(pass.write(build.graph.import("display", display_)));
+    pass.record([this, &frame, &view = build.view, lit](gpu::PassContext& c) {
+        const std::array bindings{gpu::bind_buffer(frame.frame_block),
+                                  gpu::bind_sampled(c.image(lit.light).view(), frame.nearest.get()),
+                                  gpu::bind_storage(display_.view()),
+                                  gpu::bind_sampled(c.image(lit.unlit).view(), frame.nearest.get())};
+        const PresentBlock block{view.exposure_change, frame.has_unlit ? 1 : 0};
+        c.commands.dispatch(pipeline_, bindings, gpu::push(block), groups(frame.width, 8),
+                            groups(frame.height, 8));
+    });
 }
 
 }  // namespace candela::realtime

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -12,8 +12,8 @@ class PicturePass {
   public:
     PicturePass(const gpu::Device& device, const FrameResources& frame);
 
-    /// Adds this frame to the sum; `first` starts a new one.
-    void record(gpu::Commands& commands, FrameResources& frame, float nit_per_unit, bool first);
+    /// Adds this frame to the sums; the view's first sample starts new ones.
+    void add(const FrameBuild& build, const Surfaces& surfaces, const Lit& lit);
 
     /// RGBA planes, row 0 on top: the sum of the samples divided by their number. Submits and waits.
     struct Planes {
@@ -23,12 +23,17 @@ class PicturePass {
         std::array<std::vector<glm::vec4>, kAovCount> aovs;  ///< empty without AOVs
         std::vector<glm::uvec2> ids;                         ///< of the last sample
     };
-    [[nodiscard]] Planes read(gpu::Commands& commands, FrameResources& frame, std::uint32_t samples);
+    [[nodiscard]] Planes read(gpu::Commands& commands, gpu::FrameGraph& graph, std::uint32_t samples);
 
   private:
     const gpu::Device* device_;
     gpu::ComputePipeline accumulate_;
     gpu::ComputePipeline unpack_;
+    /// Adds `from` times the scale to the sum.
+    void accumulate(gpu::PassContext& c, const FrameBuild& build, gpu::Image& from, gpu::Image& sum,
+                    float scale) const;
+
+    gpu::ImageRef ids_;
     gpu::Image sum_;
     gpu::Image unlit_sum_;
     std::array<gpu::Image, kAovCount> aov_sums_;
@@ -38,7 +43,7 @@ class PicturePass {
 class PresentPass {
   public:
     PresentPass(const gpu::Device& device, const FrameResources& frame, std::uint32_t tone_curve);
-    void record(gpu::Commands& commands, FrameResources& frame, float exposure_change);
+    void add(const FrameBuild& build, const Lit& lit);
     [[nodiscard]] gpu::Image& display() noexcept { return display_; }
 
   private:

@@ -47,28 +47,15 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     frame.all_targets =
         gpu_scene.any_emissive || gpu_scene.any_layered || options.aovs || frame.normal_mapped;
 
-    const auto image = [&](VkFormat format, VkImageUsageFlags usage, bool needed) {
-        return gpu::Image(device, {needed ? options.width : 1, needed ? options.height : 1, format,
-                                   usage | VK_IMAGE_USAGE_SAMPLED_BIT});
+    const auto one_texel = [&](VkFormat format, VkImageUsageFlags usage) {
+        return gpu::Image(device, {1, 1, format, usage | VK_IMAGE_USAGE_SAMPLED_BIT});
     };
-    constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    frame.gbuffer = image(kGBufferFormat, color, true);
-    frame.layers = image(kGBufferFormat, color, frame.all_targets);
-    frame.ids = image(kIdFormat, color, frame.all_targets);
-    frame.surface_normals = image(kSurfaceNormalFormat, color, frame.normal_mapped);
-    frame.depth = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true);
-    frame.light = image(frame.light_format(), color | VK_IMAGE_USAGE_STORAGE_BIT, true);
+    frame.no_layers = one_texel(kGBufferFormat, 0);
+    frame.no_normals = one_texel(kSurfaceNormalFormat, 0);
     frame.has_unlit = gpu_scene.any_unlit && !options.capture;
-    frame.unlit =
-        image(kUnlitFormat, color | VK_IMAGE_USAGE_STORAGE_BIT, gpu_scene.any_unlit || gpu_scene.any_blended);
-    for (gpu::Image& aov : frame.aovs) aov = image(kPictureFormat, VK_IMAGE_USAGE_STORAGE_BIT, options.aovs);
-    frame.tiles = gpu::Buffer(device, ClassifyPass::tile_buffer_bytes(frame.tile_count()),
-                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                              gpu::MemoryKind::device);
-    frame.shadow_atlas = image(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false);
+    frame.shadow_atlas = one_texel(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     frame.shadow_records = gpu::Buffer(device, sizeof(ShadowRecord), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                        gpu::MemoryKind::upload);
-    frame.shadow_receivers = image(kGBufferFormat, VK_IMAGE_USAGE_STORAGE_BIT, frame.shadow_kinds != 0);
     frame.visibilities = gpu::Buffer(device, sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                      gpu::MemoryKind::device);
     frame.frame_block =
@@ -90,7 +77,7 @@ FrameResources create_frame(const gpu::Device& device, gpu::Commands& commands, 
     const bool ltc = frame.profile.area_specular == AreaSpecularTechnique::ltc;
     frame.ltc = ltc && (gpu_scene.light_list.kinds & kAreaKinds) != 0
                     ? bake::create_ltc_table(device, commands)
-                    : gpu::Image(device, {1, 1, kPictureFormat, VK_IMAGE_USAGE_SAMPLED_BIT});
+                    : one_texel(kPictureFormat, 0);
     create_light_lists(device, commands, gpu_scene, options.cull_lights && !options.integrate, frame);
     // Not as one expression: it would copy the picture.
     frame.environment = scene.environment
@@ -187,7 +174,11 @@ struct Renderer::State {
 
     void write_frame_block(const scene::Camera& camera, float pre, const glm::vec2& jitter_px,
                            float footprint, std::uint32_t sample, std::uint32_t draws);
-    void record_light(const scene::Camera& camera);
+    /// The graph of a kind of frame, made when it is first needed.
+    template <class Build>
+    gpu::FrameGraph& graph(std::unique_ptr<gpu::FrameGraph>& of, const Build& build);
+    /// Draws a frame: prepares what follows the camera, executes, waits.
+    void execute(gpu::FrameGraph& graph, const scene::Camera& camera, bool moving);
     [[nodiscard]] float meter(const scene::Camera& camera, bool moving, bool& found);
 
     const gpu::Device* device;
@@ -205,6 +196,14 @@ struct Renderer::State {
     MeteringPass metering;
     std::optional<PicturePass> picture;
     std::optional<PresentPass> present;
+    FrameView view;
+    std::shared_ptr<gpu::TransientMemory> memory = std::make_shared<gpu::TransientMemory>();
+    std::unique_ptr<gpu::FrameGraph> metered_frame;
+    std::unique_ptr<gpu::FrameGraph> still_sample;
+    std::unique_ptr<gpu::FrameGraph> shown_frame;
+    std::unique_ptr<gpu::FrameGraph> shown_metered_frame;
+    std::unique_ptr<gpu::FrameGraph> captured_view;
+    gpu::ImageRef captured_light;
     LightEstimate light_limits;
     scene::Aabb scene_bounds;
     std::vector<scene::IrradianceVolume> volumes;  ///< to be uploaded again beside other probes
@@ -237,32 +236,34 @@ void Renderer::State::write_frame_block(const scene::Camera& camera, float pre, 
     std::memcpy(frame.frame_block.mapped(), &block, sizeof(block));
 }
 
-void Renderer::State::record_light(const scene::Camera& camera) {
-    shadows.record(commands, frame, gpu_scene);
-    gbuffer.record(commands, frame, gpu_scene);
-    if (gpu_scene.any_unlit || gpu_scene.any_blended) {
-        const std::array targets{gpu::ColorTarget{&frame.unlit, gpu::Load::clear}};
-        commands.begin_rendering(targets, {});
-        commands.end_rendering();
-    }
-    if (!options.capture) shapes.record(commands, frame, gpu_scene);
-    classify.record(commands, frame);
-    cull.record(commands, frame, gpu_scene);
-    shadows.record_visibility(commands, frame, camera);
-    lighting.record(commands, frame, gpu_scene);
-    forward.record(commands, frame, gpu_scene, glm::vec3(camera.world[3]),
-                   glm::normalize(glm::vec3(camera.world[2])));
+template <class Build>
+gpu::FrameGraph& Renderer::State::graph(std::unique_ptr<gpu::FrameGraph>& of, const Build& build) {
+    if (of) return *of;
+    auto made = std::make_unique<gpu::FrameGraph>(*device, memory);
+    build(FrameBuild{*made, frame, gpu_scene, view, import_inputs(*made, frame, gpu_scene)},
+          FramePasses{shadows, gbuffer, shapes, classify, cull, lighting, forward});
+    made->compile();
+    of = std::move(made);
+    return *of;
+}
+
+void Renderer::State::execute(gpu::FrameGraph& graph, const scene::Camera& camera, bool moving) {
+    view.camera = &camera;
+    shadows.prepare(commands, frame, gpu_scene, camera, moving);
+    commands.begin();
+    graph.execute(commands);
+    commands.submit_and_wait();
 }
 
 float Renderer::State::meter(const scene::Camera& camera, bool moving, bool& found) {
     const float guess = shading::ev100_from_luminance(std::max(light_limits.typical_nit, 1e-6f));
     const std::optional<float> metered = meter_ev100(guess, [&](float pre) {
         write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-        shadows.prepare(commands, frame, gpu_scene, camera, moving);
-        commands.begin();
-        record_light(camera);
-        metering.record(commands, frame);
-        commands.submit_and_wait();
+        execute(graph(metered_frame,
+                      [&](const FrameBuild& build, const FramePasses& passes) {
+                          build_metered_frame(build, passes, metering);
+                      }),
+                camera, moving);
         return metering.bins();
     });
     found = metered.has_value();
@@ -285,10 +286,13 @@ std::vector<glm::vec4> Renderer::capture_view(const scene::Camera& camera) {
     gpu::Buffer read(*s.device, pixels * sizeof(glm::vec4), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                      gpu::MemoryKind::readback);
     s.write_frame_block(camera, 1.0f, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
+    gpu::FrameGraph& graph =
+        s.graph(s.captured_view, [&](const FrameBuild& build, const FramePasses& passes) {
+            s.captured_light = build_captured_view(build, passes);
+        });
+    s.execute(graph, camera, false);
     s.commands.begin();
-    s.record_light(camera);
-    s.commands.copy(s.frame.light, read);
+    s.commands.copy(graph.image(s.captured_light), read);
     s.commands.submit_and_wait();
     const std::span<const glm::vec4> texels = read.mapped_as<const glm::vec4>();
     return {texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(pixels)};
@@ -301,6 +305,9 @@ std::uint32_t Renderer::unshadowed_lights() const {
 Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure& exposure) {
     State& s = *state_;
     if (!s.picture) s.picture.emplace(*s.device, s.frame);
+    gpu::FrameGraph& graph = s.graph(s.still_sample, [&](const FrameBuild& build, const FramePasses& passes) {
+        build_still_sample(build, passes, *s.picture);
+    });
     Still still;
     still.width = s.frame.width;
     still.height = s.frame.height;
@@ -316,15 +323,13 @@ Still Renderer::render_still(const scene::Camera& camera, const scene::Exposure&
         const glm::vec2 jitter =
             samples == 1 ? glm::vec2(0.0f) : shading::sobol_owen(i, s.options.seed) - glm::vec2(0.5f);
         s.write_frame_block(camera, pre, jitter, footprint, i, draws);
-        s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, false);
-        s.commands.begin();
-        s.record_light(camera);
-        s.picture->record(s.commands, s.frame, 1.0f / pre, i == 0);
-        s.commands.submit_and_wait();
+        s.view.nit_per_unit = 1.0f / pre;
+        s.view.first_sample = i == 0;
+        s.execute(graph, camera, false);
         if (s.options.progress) s.options.progress(double(i + 1) / double(samples));
     }
     still.pass_times = s.commands.pass_times();
-    still.planes = s.picture->read(s.commands, s.frame, samples);
+    still.planes = s.picture->read(s.commands, graph, samples);
     add_unlit(still);
     return still;
 }
@@ -333,6 +338,10 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
                                                   const scene::Exposure& exposure) {
     State& s = *state_;
     if (!s.present) s.present.emplace(*s.device, s.frame, s.options.tone_curve);
+    std::unique_ptr<gpu::FrameGraph>& shown = exposure.automatic() ? s.shown_metered_frame : s.shown_frame;
+    gpu::FrameGraph& graph = s.graph(shown, [&](const FrameBuild& build, const FramePasses& passes) {
+        build_shown_frame(build, passes, exposure.automatic() ? &s.metering : nullptr, *s.present);
+    });
     float ev100 = 0.0f;
     bool found = false;
     if (!exposure.automatic()) {
@@ -344,12 +353,8 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     const float wanted = exposure_at(ev100 - exposure.compensation_ev, s.options.profile.exposure);
     const float pre = s.pre_exposure(wanted);
     s.write_frame_block(camera, pre, glm::vec2(0.0f), 1.0f, 0, kMeterDraws);
-    s.shadows.prepare(s.commands, s.frame, s.gpu_scene, camera, true);
-    s.commands.begin();
-    s.record_light(camera);
-    if (exposure.automatic()) s.metering.record(s.commands, s.frame);
-    s.present->record(s.commands, s.frame, wanted / pre);
-    s.commands.submit_and_wait();
+    s.view.exposure_change = wanted / pre;
+    s.execute(graph, camera, true);
     if (!exposure.automatic()) return s.commands.pass_times();
     if (const std::optional<MeterReading> reading = read_meter(s.metering.bins()))
         s.followed_ev100 = shading::ev100_from_luminance(std::exp2(reading->stops) / pre);

@@ -186,14 +186,27 @@ void ShadowPass::prepare(gpu::Commands& commands, FrameResources& frame, GpuScen
     }
 }
 
-void ShadowPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene) {
-    if (!frame.shadow_kinds) return;
-    commands.begin_pass("shadows");
+gpu::ImageRef ShadowPass::add_maps(const FrameBuild& build) {
+    if (!build.frame.shadow_kinds) return build.in.shadow_atlas;
+    gpu::PassBuilder pass = build.graph.pass("shadows");
+    pass.read(build.in.vertices, gpu::Use::vertex_input);
+    pass.read(build.in.indices, gpu::Use::vertex_input);
+    // Tiles that are up to date stay.
+    const gpu::ImageRef maps = pass.write(build.in.shadow_atlas, gpu::Load::keep, gpu::Use::depth_target);
+    pass.record([this, &frame = build.frame, &scene = build.scene](gpu::PassContext& c) {
+        draw_pending(c.commands, frame, scene);
+    });
+    return maps;
+}
+
+gpu::BufferRef ShadowPass::add_visibility(const FrameBuild& build, const gpu::ImageRef& shadow_maps,
+                                          const Surfaces& surfaces) const {
+    if (!build.frame.shadow_kinds) return build.in.visibilities;
+    return visibility_.add(build, shadow_maps, surfaces, plan_, lights_);
+}
+
+void ShadowPass::draw_pending(gpu::Commands& commands, FrameResources& frame, const GpuScene& gpu_scene) {
     if (pending_.empty()) return;
-    if (gpu_scene.vertices) {
-        commands.use(gpu_scene.vertices, gpu::Use::vertex_input);
-        commands.use(gpu_scene.indices, gpu::Use::vertex_input);
-    }
     const gpu::Load load = fresh_atlas_ ? gpu::Load::clear : gpu::Load::keep;
     commands.begin_rendering({}, gpu::DepthTarget{&frame.shadow_atlas, load});
     const auto& vk = device_->vk;
@@ -206,11 +219,6 @@ void ShadowPass::record(gpu::Commands& commands, FrameResources& frame, GpuScene
     commands.end_rendering();
     pending_.clear();
     fresh_atlas_ = false;
-}
-
-void ShadowPass::record_visibility(gpu::Commands& commands, FrameResources& frame,
-                                   const scene::Camera& camera) const {
-    if (frame.shadow_kinds) visibility_.record(commands, frame, plan_, lights_, camera);
 }
 
 void ShadowPass::draw(gpu::Commands& commands, const ShadowView& view, const GpuScene& gpu_scene) {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 #include "candela/realtime/shadow_views.hpp"
 #include "candela/realtime/shadow_visibility_pass.hpp"
 
@@ -20,9 +20,11 @@ class ShadowPass {
     /// frame of a camera that may have moved draws its cascades whether it did or not.
     void prepare(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene,
                  const scene::Camera& camera, bool moving);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene);
+    /// The shadow atlas.
+    [[nodiscard]] gpu::ImageRef add_maps(const FrameBuild& build);
     /// After the surfaces are drawn: what they see of each light.
-    void record_visibility(gpu::Commands& commands, FrameResources& frame, const scene::Camera& camera) const;
+    [[nodiscard]] gpu::BufferRef add_visibility(const FrameBuild& build, const gpu::ImageRef& shadow_maps,
+                                                const Surfaces& surfaces) const;
 
     /// Lights that should cast shadows but found no room in the atlas.
     [[nodiscard]] std::uint32_t unshadowed() const noexcept { return plan_.unshadowed; }
@@ -31,6 +33,7 @@ class ShadowPass {
     void make_pipelines(const FrameResources& frame, const GpuScene& gpu_scene);
     void set_plan(gpu::Commands& commands, FrameResources& frame, GpuScene& gpu_scene, ShadowPlan plan);
     void set_records(std::size_t slot, std::span<const ShadowRecord> records);
+    void draw_pending(gpu::Commands& commands, FrameResources& frame, const GpuScene& gpu_scene);
     void draw(gpu::Commands& commands, const ShadowView& view, const GpuScene& gpu_scene);
 
     const gpu::Device* device_;

@@ -96,43 +96,58 @@ void ShadowVisibilityPass::reserve(const gpu::Device& device, FrameResources& fr
         gpu::Buffer(device, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryKind::device);
 }
 
-void ShadowVisibilityPass::record(gpu::Commands& commands, FrameResources& frame, const ShadowPlan& plan,
-                                  std::span<const scene::Light> lights, const scene::Camera& camera) const {
-    if (plan.lights.empty()) return;
-    commands.begin_pass("shadow receivers");
+gpu::BufferRef ShadowVisibilityPass::add(const FrameBuild& build, const gpu::ImageRef& shadow_maps,
+                                         const Surfaces& surfaces, const ShadowPlan& plan,
+                                         const std::vector<scene::Light>& lights) const {
+    FrameResources& frame = build.frame;
+    gpu::PassBuilder facets = build.graph.pass("shadow receivers");
     // Both formats keep an octahedral normal in their first word.
-    gpu::Image& normals = frame.normal_mapped ? frame.surface_normals : frame.gbuffer;
-    commands.use(normals, gpu::Use::sampled);
-    commands.use(frame.depth, gpu::Use::sampled);
-    commands.use(frame.shadow_receivers, gpu::Use::storage_write);
-    commands.dispatch(receivers_,
-                      std::array{gpu::bind_buffer(frame.frame_block),
-                                 gpu::bind_sampled(normals.view(), frame.nearest.get()),
-                                 gpu::bind_sampled(frame.depth.view(), frame.nearest.get()),
-                                 gpu::bind_storage(frame.shadow_receivers.view())},
-                      {}, frame.tiles_x, frame.tiles_y);
+    const gpu::ImageRef normals = frame.normal_mapped ? surfaces.normals : surfaces.gbuffer;
+    facets.read(normals);
+    facets.read(surfaces.depth);
+    const gpu::ImageRef receivers =
+        facets.write(build.graph.create("shadow receivers", build.image(kGBufferFormat)));
+    facets.record([this, &frame, &plan, normals, depth = surfaces.depth, receivers](gpu::PassContext& c) {
+        if (plan.lights.empty()) return;
+        c.commands.dispatch(receivers_,
+                            std::array{gpu::bind_buffer(frame.frame_block),
+                                       gpu::bind_sampled(c.image(normals).view(), frame.nearest.get()),
+                                       gpu::bind_sampled(c.image(depth).view(), frame.nearest.get()),
+                                       gpu::bind_storage(c.image(receivers).view())},
+                            {}, frame.tiles_x, frame.tiles_y);
+    });
 
-    commands.begin_pass("visibility");
-    commands.use(frame.shadow_receivers, gpu::Use::sampled);
-    commands.use(frame.shadow_atlas, gpu::Use::sampled);
-    commands.use(frame.visibilities, gpu::Use::storage_write);
+    gpu::PassBuilder pass = build.graph.pass("visibility");
+    pass.read(receivers);
+    pass.read(shadow_maps);
+    const gpu::BufferRef visibilities = pass.write(build.in.visibilities);
+    pass.record([this, build, receivers, &plan, &lights](gpu::PassContext& c) {
+        find_visibility(c, build, c.image(receivers), plan, lights);
+    });
+    return visibilities;
+}
+
+void ShadowVisibilityPass::find_visibility(gpu::PassContext& c, const FrameBuild& build,
+                                           gpu::Image& receivers, const ShadowPlan& plan,
+                                           const std::vector<scene::Light>& lights) const {
+    const FrameResources& frame = build.frame;
     for (std::size_t slot = 0; slot < plan.lights.size(); ++slot) {
         const scene::Light& light = lights[plan.lights[slot].light];
         Area area;
-        area.tiles = covered_tiles(frame, light, camera);
+        area.tiles = covered_tiles(frame, light, *build.view.camera);
         area.slot = static_cast<std::int32_t>(slot);
         const glm::ivec2 size(area.tiles.z - area.tiles.x, area.tiles.w - area.tiles.y);
         if (size.x <= 0 || size.y <= 0) continue;
         gpu::Binding records = gpu::bind_buffer(frame.shadow_records);
         records.range = kRecordsPerLight * sizeof(ShadowRecord);
         records.offset = slot * records.range;
-        commands.dispatch(pipelines_.at(variant_of(frame, light)),
-                          std::array{gpu::bind_buffer(frame.frame_block), records,
-                                     gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get()),
-                                     gpu::bind_sampled(frame.shadow_receivers.view(), frame.nearest.get()),
-                                     gpu::bind_buffer(frame.visibilities)},
-                          gpu::push(area), groups(static_cast<std::uint32_t>(size.x), kTilesPerGroup),
-                          static_cast<std::uint32_t>(size.y));
+        c.commands.dispatch(pipelines_.at(variant_of(frame, light)),
+                            std::array{gpu::bind_buffer(frame.frame_block), records,
+                                       gpu::bind_sampled(frame.shadow_atlas.view(), frame.nearest.get()),
+                                       gpu::bind_sampled(receivers.view(), frame.nearest.get()),
+                                       gpu::bind_buffer(frame.visibilities)},
+                            gpu::push(area), groups(static_cast<std::uint32_t>(size.x), kTilesPerGroup),
+                            static_cast<std::uint32_t>(size.y));
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 #include "candela/realtime/shadow_plan.hpp"
 #include "candela/realtime/shadow_views.hpp"
 
@@ -20,13 +20,17 @@ class ShadowVisibilityPass {
     /// Makes room for that many lights. Between submissions.
     static void reserve(const gpu::Device& device, FrameResources& frame, std::size_t lights);
 
-    /// The plan's lights are indices into `lights`.
-    void record(gpu::Commands& commands, FrameResources& frame, const ShadowPlan& plan,
-                std::span<const scene::Light> lights, const scene::Camera& camera) const;
+    /// The plan's lights are indices into `lights`. Both outlive the graph; the plan may change between
+    /// executions.
+    [[nodiscard]] gpu::BufferRef add(const FrameBuild& build, const gpu::ImageRef& shadow_maps,
+                                     const Surfaces& surfaces, const ShadowPlan& plan,
+                                     const std::vector<scene::Light>& lights) const;
 
   private:
     using Variant = std::pair<ShadowKind, ShadowShape>;
     [[nodiscard]] static Variant variant_of(const FrameResources& frame, const scene::Light& light);
+    void find_visibility(gpu::PassContext& c, const FrameBuild& build, gpu::Image& receivers,
+                         const ShadowPlan& plan, const std::vector<scene::Light>& lights) const;
 
     gpu::ComputePipeline receivers_;
     std::map<Variant, gpu::ComputePipeline> pipelines_;

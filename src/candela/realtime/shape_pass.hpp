@@ -1,6 +1,6 @@
 #pragma once
 
-#include "candela/realtime/frame_resources.hpp"
+#include "candela/realtime/frame.hpp"
 
 namespace candela::realtime {
 
@@ -9,7 +9,7 @@ namespace candela::realtime {
 class ShapePass {
   public:
     ShapePass(const gpu::Device& device, const FrameResources& frame, const GpuScene& scene);
-    void record(gpu::Commands& commands, FrameResources& frame, GpuScene& scene) const;
+    [[nodiscard]] Surfaces add(const FrameBuild& build, Surfaces surfaces) const;
 
   private:
     gpu::PipelineLayout layout_;

@@ -44,6 +44,21 @@ VkBufferUsageFlags buffer_usage(Use use) {
 
 }  // namespace
 
+VkDeviceMemory TransientMemory::block(const Device& device, const VkMemoryRequirements& wanted,
+                                      std::vector<VkDeviceMemory>& taken) {
+    for (const Block& b : blocks_) {
+        const bool used = std::find(taken.begin(), taken.end(), b.memory.get()) != taken.end();
+        if (used || b.requirements.memoryTypeBits != wanted.memoryTypeBits ||
+            b.requirements.size < wanted.size)
+            continue;
+        taken.push_back(b.memory.get());
+        return taken.back();
+    }
+    blocks_.push_back({device.allocate(wanted, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), wanted});
+    taken.push_back(blocks_.back().memory.get());
+    return taken.back();
+}
+
 Image& PassContext::image(const ImageRef& ref) const {
     return graph_->image(ref);
 }
@@ -95,6 +110,10 @@ ImageRef PassBuilder::depth(const ImageRef& image, Load load) {
 
 void PassBuilder::record(std::function<void(PassContext&)> commands) {
     graph_->passes_[pass_].record = std::move(commands);
+}
+
+void PassBuilder::times_itself() {
+    graph_->passes_[pass_].times_itself = true;
 }
 
 std::uint32_t FrameGraph::add(Resource resource) {
@@ -152,7 +171,8 @@ History FrameGraph::history(std::string name, const ImageDesc& desc) {
 
 PassBuilder FrameGraph::pass(std::string name) {
     for (const Pass& p : passes_)
-        if (p.accesses.name == name) throw std::logic_error("frame graph: two passes are called \"" + name + "\"");
+        if (p.accesses.name == name)
+            throw std::logic_error("frame graph: two passes are called \"" + name + "\"");
     passes_.emplace_back();
     passes_.back().accesses.name = std::move(name);
     return {*this, passes_.size() - 1};
@@ -197,15 +217,11 @@ void FrameGraph::find_lifetimes() {
             r.last = place;
         }
     }
-    // What is kept is still read when the next frame has begun to write.
-    for (const Contents& c : wanted_) {
-        resources_[c.resource].first = 0;
-        resources_[c.resource].last = static_cast<std::uint32_t>(order_.size());
-    }
+    for (const Contents& c : wanted_) resources_[c.resource].kept = true;
 }
 
 template <class T>
-void FrameGraph::allocate_together(const std::vector<std::uint32_t>& which, T Resource::* member) {
+void FrameGraph::allocate_together(const std::vector<std::uint32_t>& which, T Resource::*member) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_type;
     for (const std::uint32_t i : which)
         by_type[(resources_[i].*member).requirements(*device_).memoryTypeBits].push_back(i);
@@ -215,7 +231,9 @@ void FrameGraph::allocate_together(const std::vector<std::uint32_t>& which, T Re
         block.memoryTypeBits = bits;
         for (const std::uint32_t i : group) {
             const VkMemoryRequirements r = (resources_[i].*member).requirements(*device_);
-            lifetimes.push_back({r.size, r.alignment, resources_[i].first, resources_[i].last});
+            const Resource& of = resources_[i];
+            lifetimes.push_back({r.size, r.alignment, of.kept ? 0 : of.first,
+                                 of.kept ? static_cast<std::uint32_t>(order_.size()) : of.last});
             block.alignment = std::max(block.alignment, r.alignment);
             resources_[i].bytes = r.size;
             unshared_bytes_ += r.size;
@@ -223,10 +241,10 @@ void FrameGraph::allocate_together(const std::vector<std::uint32_t>& which, T Re
         const MemoryPlan plan = plan_memory(lifetimes);
         block.size = plan.bytes;
         memory_bytes_ += plan.bytes;
-        blocks_.push_back(device_->allocate(block, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT));
+        const VkDeviceMemory memory = memory_->block(*device_, block, blocks_);
         for (std::size_t i = 0; i < group.size(); ++i) {
             Resource& r = resources_[group[i]];
-            (r.*member).bind(*device_, blocks_.back().get(), plan.offsets[i]);
+            (r.*member).bind(*device_, memory, plan.offsets[i]);
             r.shares = plan.shares[i];
         }
     }
@@ -259,12 +277,12 @@ void FrameGraph::execute(Commands& commands) {
     for (std::uint32_t place = 0; place < order_.size(); ++place) {
         const std::uint32_t index = order_[place];
         Pass& pass = passes_[index];
-        commands.begin_pass(pass.accesses.name);
+        if (!pass.times_itself) commands.begin_pass(pass.accesses.name);
         bool waited = false;
         for (const UsedBy& u : pass.uses) {
             Resource& r = resources_[u.resource];
-            if (!r.shares || r.first != place) continue;
-            if (!std::exchange(waited, true)) commands.full_barrier();
+            if (r.kind != Kind::created || r.first != place) continue;
+            if (r.shares && !std::exchange(waited, true)) commands.full_barrier();
             r.image.state = r.buffer.state = {};
         }
         for (const UsedBy& u : pass.uses) {
@@ -299,7 +317,8 @@ Buffer& FrameGraph::buffer(const BufferRef& ref) {
 
 std::vector<PassNode> FrameGraph::passes() const {
     std::vector<PassNode> nodes;
-    for (const std::uint32_t i : order_) nodes.push_back({passes_[i].accesses.name, passes_[i].accesses.accesses});
+    for (const std::uint32_t i : order_)
+        nodes.push_back({passes_[i].accesses.name, passes_[i].accesses.accesses});
     return nodes;
 }
 

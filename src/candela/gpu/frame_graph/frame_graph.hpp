@@ -13,7 +13,8 @@ namespace candela::gpu {
 
 class FrameGraph;
 
-/// Contents of an image or a buffer of a graph: what a pass returns when it has written, and what others read.
+/// Contents of an image or a buffer of a graph: what a pass returns when it has written, and what others
+/// read.
 struct ImageRef : Contents {};
 struct BufferRef : Contents {};
 
@@ -26,7 +27,8 @@ class PassContext {
     [[nodiscard]] Buffer& buffer(const BufferRef& ref) const;
     /// Whether the frame before has left something in History::previous.
     [[nodiscard]] bool has_history(const ImageRef& previous) const;
-    /// Begins rendering to the pass's colour targets, in the order in which they were declared, and its depth.
+    /// Begins rendering to the pass's colour targets, in the order in which they were declared, and its
+    /// depth.
     void begin_rendering() const;
 
   private:
@@ -37,18 +39,22 @@ class PassContext {
     std::size_t pass_;
 };
 
-/// Declares what a pass does with which contents. Writing returns the new contents; what was there before is kept
-/// where the pass reads it or `load` keeps it, and only then has to have been written.
+/// Declares what a pass does with which contents. Writing returns the new contents; what was there before is
+/// kept where the pass reads it or `load` keeps it, and only then has to have been written.
 class PassBuilder {
   public:
     void read(const ImageRef& image, Use use = Use::sampled);
     void read(const BufferRef& buffer, Use use = Use::storage_read);
-    [[nodiscard]] ImageRef write(const ImageRef& image, Load load = Load::discard, Use use = Use::storage_write);
-    [[nodiscard]] BufferRef write(const BufferRef& buffer, Load load = Load::discard, Use use = Use::storage_write);
+    [[nodiscard]] ImageRef write(const ImageRef& image, Load load = Load::discard,
+                                 Use use = Use::storage_write);
+    [[nodiscard]] BufferRef write(const BufferRef& buffer, Load load = Load::discard,
+                                  Use use = Use::storage_write);
     [[nodiscard]] ImageRef color(const ImageRef& image, Load load);
     [[nodiscard]] ImageRef depth(const ImageRef& image, Load load);
     /// What it does, when the graph is executed: barriers for all that was declared stand before.
     void record(std::function<void(PassContext&)> commands);
+    /// It calls Commands::begin_pass() by itself, for parts with times of their own.
+    void times_itself();
 
   private:
     friend class FrameGraph;
@@ -74,12 +80,31 @@ struct ResourceNode {
     bool imported = false;
 };
 
-/// A frame as passes and what they read and write. compile() orders the passes, drops those whose outputs nobody
-/// reads, creates images and buffers and lets those that do not live at the same time share memory; execute() records
-/// barriers and passes, each timed under its name. Declared once, executed frame by frame. The device must outlive it.
+/// Blocks of device memory that graphs take in turn: what lives within a frame of one graph may lie where
+/// that of another one lay, so graphs that share it are not executed at the same time.
+class TransientMemory {
+  public:
+    /// A block that none of these graphs' own blocks is: `taken` counts those of the graph that asks.
+    [[nodiscard]] VkDeviceMemory block(const Device& device, const VkMemoryRequirements& requirements,
+                                       std::vector<VkDeviceMemory>& taken);
+
+  private:
+    struct Block {
+        Owned<VkDeviceMemory> memory;
+        VkMemoryRequirements requirements;
+    };
+    std::vector<Block> blocks_;
+};
+
+/// A frame as passes and what they read and write. compile() orders the passes, drops those whose outputs
+/// nobody reads, creates images and buffers and lets those that do not live at the same time share memory;
+/// execute() records barriers and passes, each timed under its name. Declared once, executed frame by frame.
+/// The device must outlive it.
 class FrameGraph {
   public:
-    explicit FrameGraph(const Device& device) : device_(&device) {}
+    explicit FrameGraph(const Device& device,
+                        std::shared_ptr<TransientMemory> memory = std::make_shared<TransientMemory>())
+        : device_(&device), memory_(std::move(memory)) {}
     FrameGraph(const FrameGraph&) = delete;
     FrameGraph& operator=(const FrameGraph&) = delete;
 
@@ -130,8 +155,9 @@ class FrameGraph {
         Image image;
         Buffer buffer;
         bool shares = false;
-        std::uint32_t first = 0;  ///< pass in the order
+        std::uint32_t first = 0;  ///< place of the first pass that uses it
         std::uint32_t last = 0;
+        bool kept = false;  ///< its memory is its own all the time
         bool used = false;
         std::uint32_t versions = 0;
         std::uint32_t next_of = ~0u;  ///< of a history's next: its previous
@@ -147,6 +173,7 @@ class FrameGraph {
         std::vector<std::pair<ImageRef, Load>> colors;
         std::vector<std::pair<ImageRef, Load>> depth;  ///< at most one
         std::function<void(PassContext&)> record;
+        bool times_itself = false;
     };
 
     [[nodiscard]] std::uint32_t add(Resource resource);
@@ -154,10 +181,11 @@ class FrameGraph {
     void find_lifetimes();
     void allocate();
     template <class T>
-    void allocate_together(const std::vector<std::uint32_t>& which, T Resource::* member);
+    void allocate_together(const std::vector<std::uint32_t>& which, T Resource::*member);
 
     const Device* device_;
-    std::vector<Owned<VkDeviceMemory>> blocks_;  ///< outlive what lies in them
+    std::shared_ptr<TransientMemory> memory_;  ///< outlives what lies in it
+    std::vector<VkDeviceMemory> blocks_;       ///< of it, those in use here
     std::vector<Resource> resources_;
     std::vector<Pass> passes_;
     std::vector<Contents> wanted_;
@@ -166,8 +194,8 @@ class FrameGraph {
     std::uint64_t unshared_bytes_ = 0;
 };
 
-/// The graph as a picture: passes in their order across, images and buffers down, each over the passes that it lives
-/// for, with bytes and the milliseconds of each pass (empty: not measured).
+/// The graph as a picture: passes in their order across, images and buffers down, each over the passes that
+/// it lives for, with bytes and the milliseconds of each pass (empty: not measured).
 [[nodiscard]] std::string graph_svg(const FrameGraph& graph, std::span<const PassTime> times);
 /// The same for Graphviz: passes and contents as nodes.
 [[nodiscard]] std::string graph_dot(const FrameGraph& graph, std::span<const PassTime> times);

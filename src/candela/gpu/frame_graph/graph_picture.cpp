@@ -27,7 +27,8 @@ std::string ms_text(double ms) {
 }
 
 std::optional<double> time_of(const std::string& pass, std::span<const PassTime> times) {
-    const auto at = std::find_if(times.begin(), times.end(), [&](const PassTime& t) { return t.name == pass; });
+    const auto at =
+        std::find_if(times.begin(), times.end(), [&](const PassTime& t) { return t.name == pass; });
     if (at == times.end()) return std::nullopt;
     return at->milliseconds;
 }
@@ -86,7 +87,8 @@ std::string graph_svg(const FrameGraph& graph, std::span<const PassTime> times) 
     const int height = top + row_height * static_cast<int>(rows.size()) + 60;
     std::ostringstream svg;
     svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
-        << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+        << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
+           "fill=\"white\"/>\n";
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const int x = left + column * static_cast<int>(i) + column / 2;
         const auto ms = time_of(passes[i].name, times);
@@ -99,19 +101,22 @@ std::string graph_svg(const FrameGraph& graph, std::span<const PassTime> times) 
         const Row& row = rows[i];
         const ResourceNode& r = resources[row.resource];
         const int y = top + row_height * static_cast<int>(i) + row_height / 2;
-        const auto x_of = [&](std::size_t place) { return left + column * static_cast<int>(place) + column / 2; };
+        const auto x_of = [&](std::size_t place) {
+            return left + column * static_cast<int>(place) + column / 2;
+        };
         svg << "<text x=\"" << left - 8 << "\" y=\"" << y + 4 << "\" text-anchor=\"end\""
             << (r.imported ? " fill=\"#777\"" : "") << '>' << escaped(r.name)
             << (r.bytes > 0 ? "  " + bytes_text(r.bytes) : "") << "</text>\n";
-        svg << "<line x1=\"" << x_of(row.touches.begin()->first) << "\" x2=\"" << x_of(row.touches.rbegin()->first)
-            << "\" y1=\"" << y << "\" y2=\"" << y << "\" stroke=\"" << (r.imported ? "#bbb" : "#48a")
-            << "\" stroke-width=\"4\"/>\n";
+        svg << "<line x1=\"" << x_of(row.touches.begin()->first) << "\" x2=\""
+            << x_of(row.touches.rbegin()->first) << "\" y1=\"" << y << "\" y2=\"" << y << "\" stroke=\""
+            << (r.imported ? "#bbb" : "#48a") << "\" stroke-width=\"4\"/>\n";
         for (const auto& [place, touch] : row.touches) {
             svg << "<circle cx=\"" << x_of(place) << "\" cy=\"" << y << "\" r=\"6\" stroke=\"#333\" fill=\""
                 << (touch.second ? touch.first ? "#e90" : "#d33" : "#fff") << "\"/>\n";
         }
     }
-    svg << "<text x=\"12\" y=\"" << height - 18 << "\">written: red; read and written: orange; read: white. Grey lines: made "
+    svg << "<text x=\"12\" y=\"" << height - 18
+        << "\">written: red; read and written: orange; read: white. Grey lines: made "
         << "outside of the frame. " << bytes_text(graph.memory_bytes()) << " of memory, "
         << bytes_text(graph.unshared_bytes()) << " without sharing.</text>\n</svg>\n";
     return svg.str();
@@ -128,8 +133,8 @@ std::string graph_dot(const FrameGraph& graph, std::span<const PassTime> times) 
     };
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const auto ms = time_of(passes[i].name, times);
-        dot << "  p" << i << " [shape=box, style=filled, fillcolor=\"#fd9\", label=\"" << escaped(passes[i].name)
-            << (ms ? "\\n" + ms_text(*ms) : "") << "\"];\n";
+        dot << "  p" << i << " [shape=box, style=filled, fillcolor=\"#fd9\", label=\""
+            << escaped(passes[i].name) << (ms ? "\\n" + ms_text(*ms) : "") << "\"];\n";
         for (const Access& a : passes[i].accesses) {
             if (a.reads) {
                 contents.emplace(a.contents.resource, a.contents.version);

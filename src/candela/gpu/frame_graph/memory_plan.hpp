@@ -20,8 +20,8 @@ struct MemoryPlan {
     std::vector<bool> shares;            ///< whether the resource's bytes are also another one's
 };
 
-/// Places for all in one block: what lives at the same time does not overlap. The largest ones first, each at the
-/// lowest place that is free as long as it lives.
+/// Places for all in one block: what lives at the same time does not overlap. The largest ones first, each at
+/// the lowest place that is free as long as it lives.
 [[nodiscard]] MemoryPlan plan_memory(std::span<const Lifetime> resources);
 
 }  // namespace candela::gpu

@@ -42,7 +42,8 @@ class Order {
         const auto [at, fresh] = writer_.emplace(Key{over.resource, over.version + 1}, pass);
         if (!fresh && at->second != pass) {
             refuse("\"" + passes_[at->second].name + "\" and \"" + passes_[pass].name + "\" both write \"" +
-                   name(over.resource) + "\", in no order: the later one has to take what the earlier one returns");
+                   name(over.resource) +
+                   "\", in no order: the later one has to take what the earlier one returns");
         }
     }
 
@@ -56,7 +57,8 @@ class Order {
             const auto writer = writer_.find(key(contents));
             if (writer == writer_.end()) {
                 if (contents.version == 0 && resources_[contents.resource].held_before) continue;
-                refuse("nothing writes \"" + name(contents.resource) + "\" before \"" + reader + "\" reads it");
+                refuse("nothing writes \"" + name(contents.resource) + "\" before \"" + reader +
+                       "\" reads it");
             }
             if (!needed_.insert(writer->second).second) continue;
             const PassAccesses& pass = passes_[writer->second];
@@ -108,7 +110,8 @@ class Order {
     [[noreturn]] void refuse_cycle(const std::vector<std::uint32_t>& done) const {
         std::set<std::uint32_t> left = needed_;
         for (const std::uint32_t pass : done) left.erase(pass);
-        // Of what is left every pass waits for another one that is left: going back long enough ends in a circle.
+        // Of what is left every pass waits for another one that is left: going back long enough ends in a
+        // circle.
         const auto before = [&](std::uint32_t pass) {
             for (const std::uint32_t other : left) {
                 const auto afters = after_.find(other);
@@ -117,10 +120,12 @@ class Order {
             return pass;
         };
         std::vector<std::uint32_t> way{*left.begin()};
-        while (std::find(way.begin(), way.end() - 1, way.back()) == way.end() - 1) way.push_back(before(way.back()));
+        while (std::find(way.begin(), way.end() - 1, way.back()) == way.end() - 1)
+            way.push_back(before(way.back()));
         const auto first = std::find(way.begin(), way.end(), way.back());
         std::string circle;
-        for (auto at = way.end(); at-- != first;) circle += (circle.empty() ? "\"" : " -> \"") + passes_[*at].name + "\"";
+        for (auto at = way.end(); at-- != first;)
+            circle += (circle.empty() ? "\"" : " -> \"") + passes_[*at].name + "\"";
         refuse("passes wait for each other: " + circle);
     }
 
@@ -133,7 +138,8 @@ class Order {
 
 }  // namespace
 
-std::vector<std::uint32_t> schedule(std::span<const PassAccesses> passes, std::span<const ResourceFacts> resources,
+std::vector<std::uint32_t> schedule(std::span<const PassAccesses> passes,
+                                    std::span<const ResourceFacts> resources,
                                     std::span<const Contents> wanted) {
     return Order(passes, resources).of(wanted);
 }

@@ -14,8 +14,8 @@ struct Contents {
     bool operator==(const Contents&) const = default;
 };
 
-/// How a pass touches the contents of a resource. A write makes version + 1 of them; without `reads` of nothing, else
-/// of what was there.
+/// How a pass touches the contents of a resource. A write makes version + 1 of them; without `reads` of
+/// nothing, else of what was there.
 struct Access {
     Contents contents;
     bool reads = false;
@@ -34,11 +34,10 @@ struct ResourceFacts {
     bool held_before = false;  ///< version 0 is worth reading: it was made outside, or in the frame before
 };
 
-/// The passes that lead to the wanted contents, in an order in which contents are written before they are read and
-/// read before they are written over; of passes that do not matter to each other the first declared comes first. The
-/// others are left out.
-/// Throws std::logic_error, one line, when contents that a pass reads are written by none, when two passes write over
-/// the same contents, and when passes wait for each other.
+/// The passes that lead to the wanted contents, in an order in which contents are written before they are
+/// read and read before they are written over; of passes that do not matter to each other the first declared
+/// comes first. The others are left out. Throws std::logic_error, one line, when contents that a pass reads
+/// are written by none, when two passes write over the same contents, and when passes wait for each other.
 [[nodiscard]] std::vector<std::uint32_t> schedule(std::span<const PassAccesses> passes,
                                                   std::span<const ResourceFacts> resources,
                                                   std::span<const Contents> wanted);
