@@ -142,7 +142,12 @@ void set_environment(const JobOptions& options, const io::Stage& stage, Job& job
     choose_environment(options, stage, job);
     const bool relative = set_emission_units(options, stage, brings_no_light, job);
     if (!brings_no_light) return;
-    std::string text = "the scene brings no light: lit by the built-in studio (--env FILE, --env none)";
+    const bool emits =
+        std::any_of(job.scene.materials.begin(), job.scene.materials.end(),
+                    [](const scene::Material& m) { return !m.unlit && m.emissive_nit != glm::vec3(0.0f); });
+    std::string text = std::string("the scene brings no light") +
+                       (emits ? " but that of its emissive surfaces" : "") +
+                       ": lit by the built-in studio (--env FILE, --env none)";
     if (relative)
         text += "; its emission is relative, 1 is " + measure::readable(double(job.emission.nit_per_unit)) +
                 " cd/m2 (--units absolute)";

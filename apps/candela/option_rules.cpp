@@ -106,7 +106,8 @@ std::string plain(const std::string& what) {
     if (std::regex_match(what, match, std::regex(R"((\S+): At least (\d+) required but received (\d+))")))
         return match[1].str() + ": needs " + match[2].str() + " values and has " + match[3].str();
     if (std::regex_match(what, match, std::regex(R"((\S+): At Most (\d+) required but received (\d+))")))
-        return match[1].str() + ": takes " + match[2].str() + " values and has " + match[3].str();
+        return match[1].str() + ": takes " + match[2].str() +
+               (match[2] == "1" ? " value and has " : " values and has ") + match[3].str();
     if (std::regex_match(what, match, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))")))
         return match[1].str() + ": " + out_of_range(match[2], match[3], match[4]);
     if (std::regex_match(what, match, std::regex(R"((\S+):  not in \{.*)")))

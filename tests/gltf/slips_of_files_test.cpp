@@ -106,6 +106,14 @@ std::vector<Slip> nodes() {
                     b.doc["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "moon"}}};
                     b.doc["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
                 }),
+        damaged(
+            "LightNegative", "/lights/0/intensity = -5: is negative: read as 0",
+            [](GltfBuilder& b) {
+                b.doc["extensions"]["KHR_lights_punctual"]["lights"] = {
+                    {{"type", "point"}, {"intensity", -5}}};
+                b.doc["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
+            },
+            [](const scene::Scene& s) { EXPECT_EQ(s.lights.at(0).intensity, 0.0f); }),
         damaged("IesFileMissing", "the light is drawn without it",
                 [](GltfBuilder& b) {
                     b.doc["extensions"] = {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}}}}}},
@@ -115,6 +123,16 @@ std::vector<Slip> nodes() {
                 }),
         patched("RotationOfThree", "/nodes/0/rotation", {0, 0, 1}, "/nodes/0/rotation"),
     };
+}
+
+/// A buffer in a file of its own that is longer than the buffer says.
+Slip short_byte_length() {
+    return {"BufferLongerThanItSays", "passes its buffer's byteLength of 10", [](const fs::path& folder) {
+                GltfBuilder b = triangle();
+                put(folder / "data.bin", text_of(b.binary));
+                b.doc["buffers"] = {{{"byteLength", 10}, {"uri", "data.bin"}}};
+                put(folder / kScene, b.doc.dump());
+            }};
 }
 
 std::vector<Slip> files() {
@@ -146,6 +164,7 @@ std::vector<Slip> files() {
                     }};
     };
     return {
+        short_byte_length(),
         vertices("NormalsOutOfRange", "NORMAL", 50, "/NORMAL: index 50 is out of range"),
         vertices("CoordinatesOfThree", "TEXCOORD_0", 0, "/TEXCOORD_0"),
         damaged("NormalsFewerThanVertices", "has 1 elements for 3 vertices",

@@ -27,7 +27,7 @@ void read_perspective(const JsonView& p, scene::Camera& camera) {
     constexpr float infinite_m = std::numeric_limits<float>::infinity();
     camera.yfov_rad = positive(p["yfov"], kYfov_rad, "read as 0.7 rad");
     if (camera.yfov_rad >= kWidestYfov_rad) {
-        p["yfov"].repaired("must be less than pi rad: read as 0.7 rad");
+        p["yfov"].repaired("must be less than 3.1 rad (178 degrees): read as 0.7 rad");
         camera.yfov_rad = kYfov_rad;
     }
     camera.aspect =

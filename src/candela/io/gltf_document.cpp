@@ -155,7 +155,8 @@ void GltfDocument::reserve(std::uint64_t bytes, const JsonView& where) const {
 }
 
 std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
-    const std::span<const std::byte> bytes = buffer(view["buffer"].required_index_below(buffers_.size()));
+    const std::uint32_t index = view["buffer"].required_index_below(buffers_.size());
+    const std::span<const std::byte> bytes = buffer(index);
     const std::uint64_t offset = view["byteOffset"].unsigned_or(0);
     const std::uint64_t length = view["byteLength"].unsigned_or(0);
     if (offset > bytes.size()) {
@@ -163,6 +164,11 @@ std::span<const std::byte> GltfDocument::slice(const JsonView& view) const {
                   std::to_string(bytes.size()));
     }
     const std::uint64_t there = bytes.size() - offset;
+    const std::uint64_t declared = element("buffers", index)["byteLength"].unsigned_or(0);
+    if (length <= there && offset + length > declared) {
+        warnings_.warn_at(view.where(), "passes its buffer's byteLength of " + std::to_string(declared) +
+                                            ": the data that is there is read");
+    }
     if (length > there) {
         warnings_.warn_at(view.where(), "passes the end of its buffer by " + std::to_string(length - there) +
                                             " bytes: what is there is read");

@@ -53,6 +53,12 @@ float positive(const JsonView& value, float fallback) {
     return fallback;
 }
 
+float intensity(const JsonView& source, float fallback) {
+    const float x = source["intensity"].float_or(fallback);
+    if (x < 0.0f) source["intensity"].repaired("is negative: read as 0");
+    return x;
+}
+
 /// The largest component of the absolute value of the node's scale in the world.
 float largest_scale(const glm::mat4& world) {
     const auto length = [&](int column) { return glm::length(glm::vec3(world[column])); };
@@ -74,7 +80,7 @@ void GltfLights::add_punctual(const JsonView& source, const Node& posed, scene::
     light.carrier = "KHR_lights_punctual";
     light.color = read_color(source["color"]);
     const float factor = options_.light_scale * unit_factor(options_.light_units, light.type);
-    light.intensity = std::clamp(source["intensity"].float_or(1.0f) * factor, 0.0f, kBrightest);
+    light.intensity = std::clamp(intensity(source, 1.0f) * factor, 0.0f, kBrightest);
     if (const float range_m = source["range"].float_or(0.0f); range_m > 0.0f) light.range_m = range_m;
     const JsonView spot = source["spot"];
     if (spot["innerConeAngle"].float_or(0.0f) > spot["outerConeAngle"].float_or(0.7853982f))
@@ -106,8 +112,7 @@ void GltfLights::add_area(const JsonView& source, const Node& posed, scene::Scen
     light.carrier = "EXT_lights_area";
     light.unit = scene::LightUnit::nit;
     light.color = read_color(source["color"]);
-    light.intensity =
-        std::clamp(source["intensity"].float_or(1000.0f) * options_.light_scale, 0.0f, kBrightest);
+    light.intensity = std::clamp(intensity(source, 1000.0f) * options_.light_scale, 0.0f, kBrightest);
     scene.lights.push_back(light);
 }
 

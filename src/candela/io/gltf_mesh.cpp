@@ -319,7 +319,7 @@ std::optional<SourcePrimitive> read_primitive(const GltfDocument& document, Acce
     document.charge(vertices.size() * kVertexBytes, source);
     p.positions = as_vec3(*positions, attributes.where("POSITION"), vertices.used);
     if (!all_finite(p.positions)) {
-        diagnostics.warn("a primitive with NaN or infinite positions: skipped");
+        source["attributes"]["POSITION"].repaired("has NaN or infinite values: the primitive is skipped");
         return std::nullopt;
     }
     for (const glm::vec3& x : p.positions) p.bounds.extend(x);

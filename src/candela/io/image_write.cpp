@@ -19,7 +19,10 @@ Error write_error(int code, const fs::path& file) {
     const bool request = code == ENOENT || code == ENOTDIR || code == EACCES || code == EPERM ||
                          code == EROFS || code == ENAMETOOLONG || code == EISDIR || code == EINVAL;
     const Fault fault = request ? Fault::input : Fault::machine;
-    if (code == ENOENT || code == ENOTDIR)
+    // Not of every file system: in some that are there no file can be made.
+    std::error_code ignored;
+    if (code == ENOTDIR ||
+        (code == ENOENT && !fs::is_directory(fs::absolute(file, ignored).parent_path(), ignored)))
         return {fault, "the folder does not exist", file.string(), "make it first"};
     return {fault, std::string("cannot be written: ") + std::strerror(code), file.string()};
 }

@@ -204,7 +204,12 @@ void apply(const StageLight& entry, const scene::Scene& scene, Files& files, Lig
 void override_lights(const StageLight& entry, scene::Scene& scene, Files& files) {
     const auto named = [&](const Light& light) { return light.name == *entry.overrides; };
     std::string known;
-    for (const Light& light : scene.lights) known += (known.empty() ? "" : ", ") + light.name;
+    std::size_t nameless = 0;
+    for (const Light& light : scene.lights) {
+        nameless += light.name.empty() ? 1 : 0;
+        if (!light.name.empty()) known += (known.empty() ? "" : ", ") + light.name;
+    }
+    if (nameless > 0) known += (known.empty() ? "" : ", ") + std::to_string(nameless) + " without a name";
     if (std::none_of(scene.lights.begin(), scene.lights.end(), named))
         throw input_error("the scene has no light of this name: " + *entry.overrides,
                           entry.where + "/override", known.empty() ? "it has no lights" : "it has " + known);
