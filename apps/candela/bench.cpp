@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bench_bake.hpp"
 #include "bench_start.hpp"
+#include "candela/io/image_write.hpp"
+#include "candela/io/output_folder.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
@@ -21,6 +24,7 @@ namespace {
 struct BenchOptions {
     JobOptions job;
     int frames = 60;
+    std::string graph_file;  ///< .svg or .dot
     bool first_frame_only = false;
 };
 
@@ -55,7 +59,17 @@ std::vector<gpu::PassTime> median_passes(const std::vector<std::vector<gpu::Pass
     return out;
 }
 
+void write_graph(const std::string& file, const realtime::Renderer& renderer,
+                 std::span<const gpu::PassTime> times) {
+    using Picture = realtime::Renderer::GraphPicture;
+    const bool svg = std::filesystem::path(file).extension() == ".svg";
+    const std::string text = renderer.frame_graph(svg ? Picture::svg : Picture::dot, times);
+    io::write_file(file, std::as_bytes(std::span(text)));
+    print_written({file});
+}
+
 int bench(const BenchOptions& options) {
+    if (!options.graph_file.empty()) io::check_output_file(options.graph_file);
     const auto start = Clock::now();
     Job job = prepare(options.job);
     const double load_ms = milliseconds_since(start);
@@ -85,6 +99,7 @@ int bench(const BenchOptions& options) {
             frame_ms.push_back(milliseconds_since(frame));
             line.report((i + 1.0) / options.frames);
         }
+        if (!options.graph_file.empty()) write_graph(options.graph_file, renderer, median_passes(passes));
         warn_of_unshadowed(renderer.unshadowed_lights(), job.diagnostics);
     }
     const std::vector<gpu::PassTime> pass_ms = median_passes(passes);
@@ -139,6 +154,16 @@ void add_bench(CLI::App& app, Action& action) {
     add_bench_bake(*command, action);
     command->add_option("--frames", options->frames, "Frames to take the median of")
         ->check(CLI::Range(1, 100000));
+    command
+        ->add_option("--graph", options->graph_file,
+                     "Write the frame's graph: passes, images, buffers, bytes and times (.svg or .dot)")
+        ->check(CLI::Validator(
+            [](const std::string& file) {
+                const auto extension = std::filesystem::path(file).extension();
+                return extension == ".svg" || extension == ".dot" ? std::string()
+                                                                  : file + ": takes .svg or .dot";
+            },
+            "", "graph file"));
     command->add_flag(kFirstFrameOnly, options->first_frame_only, "Leave after the first frame")->group("");
     command->callback([command, options, &action] {
         refuse_before_subcommand(*command);

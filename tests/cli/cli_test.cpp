@@ -101,6 +101,13 @@ TEST(CommandLine, JsonIsTheOnlyThingOnStandardOutput) {
     const auto bench = nlohmann::json::parse(
         run_candela("bench " + scene_file("sphere_grid") + " --size 64x64 --frames 3 --json").out);
     EXPECT_GT(bench["frame_ms_median"], 0.0);
+    const TemporaryFolder graphs;
+    const std::string svg = (graphs / "frame.svg");
+    EXPECT_EQ(run_candela("bench " + scene_file("sphere_grid") + " --size 64x64 --frames 1 --graph " + svg)
+                  .exit_code,
+              0);
+    EXPECT_NE(slurp(svg).find("gbuffer"), std::string::npos);
+    EXPECT_EQ(run_candela("bench " + scene_file("sphere_grid") + " --graph frame.png").exit_code, 2);
     EXPECT_GT(bench["peak_host_mib"], 1.0);
     EXPECT_GT(bench["start_to_first_frame_ms_cold"], 0.0);
     EXPECT_GT(bench["start_to_first_frame_ms_warm"], 0.0);

@@ -22,9 +22,10 @@ class PresentPass;
 /// What changes from one execution of a frame's graph to the next, beside the frame block.
 struct FrameView {
     const scene::Camera* camera = nullptr;
-    float nit_per_unit = 1.0f;     ///< of the light buffer, in a still
-    bool first_sample = true;      ///< of a still
-    float exposure_change = 1.0f;  ///< from the light buffer's exposure to the picture's, in a frame that is shown
+    float nit_per_unit = 1.0f;  ///< of the light buffer, in a still
+    bool first_sample = true;   ///< of a still
+    float exposure_change =
+        1.0f;  ///< from the light buffer's exposure to the picture's, in a frame that is shown
 };
 
 /// What a frame reads that lives longer than it.
@@ -44,8 +45,9 @@ struct FrameInputs {
     gpu::ImageRef environment_irradiance;
     gpu::ImageRef environment_background;
     gpu::BufferRef shadow_records;
-    gpu::ImageRef shadow_atlas;   ///< reversed depth, one tile a view of a light
-    gpu::BufferRef visibilities;  ///< a byte a pixel and light: tiles of 64 bytes, of one light after the other
+    gpu::ImageRef shadow_atlas;  ///< reversed depth, one tile a view of a light
+    gpu::BufferRef
+        visibilities;  ///< a byte a pixel and light: tiles of 64 bytes, of one light after the other
     gpu::ImageRef no_layers;
     gpu::ImageRef no_normals;
 };
@@ -67,17 +69,21 @@ void read_shading_inputs(gpu::PassBuilder& pass, const FrameInputs& in);
 /// The G-buffer, and what its pass and that of the lights' shapes give to the light buffer at once.
 struct Surfaces {
     gpu::ImageRef gbuffer;
-    gpu::ImageRef layers;   ///< FrameInputs::no_layers without FrameResources::all_targets
-    gpu::ImageRef ids;      ///< version 0: none
-    gpu::ImageRef normals;  ///< octahedral, of the vertices alone; FrameInputs::no_normals without normal maps
+    gpu::ImageRef layers;  ///< FrameInputs::no_layers without FrameResources::all_targets
+    gpu::ImageRef ids;     ///< version 0: none
+    gpu::ImageRef
+        normals;  ///< octahedral, of the vertices alone; FrameInputs::no_normals without normal maps
     gpu::ImageRef depth;
-    gpu::ImageRef light;  ///< pre-exposed; alpha: the fraction of a pixel that unlit surfaces leave; version 0: not yet
-    gpu::ImageRef unlit;  ///< their colours, display-linear, times the rest; 1 x 1 without unlit and blended draws
+    gpu::ImageRef
+        light;  ///< pre-exposed; alpha: the fraction of a pixel that unlit surfaces leave; version 0: not yet
+    gpu::ImageRef
+        unlit;  ///< their colours, display-linear, times the rest; 1 x 1 without unlit and blended draws
 };
 
 struct Tiles {
-    gpu::BufferRef lists;   ///< of each shading class, with the arguments of its dispatch
-    gpu::BufferRef bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
+    gpu::BufferRef lists;  ///< of each shading class, with the arguments of its dispatch
+    gpu::BufferRef
+        bounds;  ///< lowest and highest corner of what is in each tile; a word when nothing is culled
 };
 
 /// Surfaces that are lit.
@@ -98,8 +104,8 @@ struct FramePasses {
     ForwardPass& forward;
 };
 
-/// From the scene to the light of each pixel, as every frame begins. `capture`: as a probe sees it, without the shapes
-/// of lights.
+/// From the scene to the light of each pixel, as every frame begins. `capture`: as a probe sees it, without
+/// the shapes of lights.
 struct LitSurfaces {
     Surfaces surfaces;
     Lit lit;

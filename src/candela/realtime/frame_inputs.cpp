@@ -30,9 +30,8 @@ void read_shading_inputs(gpu::PassBuilder& pass, const FrameInputs& in) {
     for (const gpu::BufferRef& buffer : {in.lights, in.light_lists, in.light_tables, in.integrate_tables,
                                          in.shadow_records, in.visibilities, in.local_light})
         pass.read(buffer);
-    for (const gpu::ImageRef& image :
-         {in.ltc, in.dfg, in.environment_specular, in.environment_irradiance, in.environment_background,
-          in.shadow_atlas, in.local_atlas})
+    for (const gpu::ImageRef& image : {in.ltc, in.dfg, in.environment_specular, in.environment_irradiance,
+                                       in.environment_background, in.shadow_atlas, in.local_atlas})
         pass.read(image);
 }
 

@@ -361,4 +361,10 @@ std::vector<gpu::PassTime> Renderer::render_frame(const scene::Camera& camera,
     return s.commands.pass_times();
 }
 
+std::string Renderer::frame_graph(GraphPicture picture, std::span<const gpu::PassTime> times) const {
+    const gpu::FrameGraph& graph =
+        state_->shown_metered_frame ? *state_->shown_metered_frame : *state_->shown_frame;
+    return picture == GraphPicture::svg ? gpu::graph_svg(graph, times) : gpu::graph_dot(graph, times);
+}
+
 }  // namespace candela::realtime

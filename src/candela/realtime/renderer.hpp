@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "candela/gpu/commands.hpp"
@@ -54,6 +55,11 @@ class Renderer {
     /// One interactive frame at one sample a pixel, as a viewer would show it: lit, metered, tone mapped.
     /// Returns the times of its passes. The exposure follows the frame before.
     std::vector<gpu::PassTime> render_frame(const scene::Camera& camera, const scene::Exposure& exposure);
+
+    /// The graph of the frames that render_frame() draws, as a picture with these times of its passes: SVG,
+    /// or the language of Graphviz. After the first frame.
+    enum class GraphPicture : std::uint8_t { svg, dot };
+    [[nodiscard]] std::string frame_graph(GraphPicture picture, std::span<const gpu::PassTime> times) const;
 
     /// What a probe sees through a camera, with options.capture: diffuse light of surfaces in cd/m^2, without
     /// lights and sky. a: 1 where there is something. Row 0 on top.

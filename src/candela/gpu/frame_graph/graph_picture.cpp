@@ -83,7 +83,8 @@ std::string graph_svg(const FrameGraph& graph, std::span<const PassTime> times) 
     constexpr int row_height = 20;
     constexpr int left = 260;
     constexpr int top = 190;
-    const int width = left + column * static_cast<int>(passes.size()) + 60;
+    constexpr int legend_width = 860;
+    const int width = std::max(left + column * static_cast<int>(passes.size()) + 130, legend_width);
     const int height = top + row_height * static_cast<int>(rows.size()) + 60;
     std::ostringstream svg;
     svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
