@@ -11,6 +11,7 @@
 #include "bench_start.hpp"
 #include "candela/io/image_write.hpp"
 #include "candela/io/output_folder.hpp"
+#include "candela/scene/error.hpp"
 #include "candela/version.hpp"
 #include "command.hpp"
 #include "job.hpp"
@@ -154,21 +155,16 @@ void add_bench(CLI::App& app, Action& action) {
     add_bench_bake(*command, action);
     command->add_option("--frames", options->frames, "Frames to take the median of")
         ->check(CLI::Range(1, 100000));
-    command
-        ->add_option("--graph", options->graph_file,
-                     "Write the frame's graph: passes, images, buffers, bytes and times (.svg or .dot)")
-        ->check(CLI::Validator(
-            [](const std::string& file) {
-                const auto extension = std::filesystem::path(file).extension();
-                return extension == ".svg" || extension == ".dot" ? std::string()
-                                                                  : file + ": takes .svg or .dot";
-            },
-            "", "graph file"));
+    command->add_option("--graph", options->graph_file,
+                        "Write the frame's graph: passes, images, buffers, bytes and times (.svg or .dot)");
     command->add_flag(kFirstFrameOnly, options->first_frame_only, "Leave after the first frame")->group("");
     command->callback([command, options, &action] {
         refuse_before_subcommand(*command);
         if (!command->get_subcommands().empty()) return;
         if (options->job.scene_file.empty()) throw CLI::RequiredError("SCENE");
+        const auto kind = std::filesystem::path(options->graph_file).extension();
+        if (!options->graph_file.empty() && kind != ".svg" && kind != ".dot")
+            throw Error(Fault::usage, "takes a .svg or .dot file", "--graph");
         check_environment_options(*command, options->job);
         check_picture_options(*command);
         check_shadow_options(*command, options->job.shadows, "realtime");
